@@ -1,0 +1,43 @@
+// Image error metrics. All are errors: 0 for identical images, in [0, 1], larger is worse.
+//
+// A metric reduces one frame to a value over the covered pixels; a session's value is the frames' combination: root of the
+// pixel-weighted mean of squares for rms, pixel-weighted mean for the others, except p95 (mean over frames).
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "profiler/metrics/image.h"
+
+namespace reprise {
+
+struct MetricInputs {
+  const DisplayImage* original = nullptr;
+  const DisplayImage* cached = nullptr;
+  const DisplayImage* last_original = nullptr;  // of the frame before; null in the first frame
+  const DisplayImage* last_cached = nullptr;
+  const CoverageMask* mask = nullptr;
+};
+
+enum class SessionCombination { kRootMeanSquare, kMean };
+
+struct Metric {
+  std::string name;         // "rms", "mean", "p95", "ssim", "flip", "over8", "flicker"
+  std::string description;  // one sentence with the formula
+  SessionCombination combination = SessionCombination::kMean;
+  bool expensive = false;   // computed only where asked for
+  std::function<double(const MetricInputs&)> evaluate;
+};
+
+// The registry, an explicit table: rms, mean, p95, ssim (1 - SSIM), flip, over8 (share of pixels whose largest channel
+// difference exceeds 8/255; Mueller 2021), flicker (RMS of the frame-to-frame change of the difference).
+std::span<const Metric> metrics();
+const Metric* findMetric(const std::string& name);
+
+// Values of a metric over the frames of a session, weighted by their covered pixels. NaN if no pixel was covered.
+double combineFrames(const Metric& metric, std::span<const double> per_frame, std::span<const double> covered);
+
+}  // namespace reprise

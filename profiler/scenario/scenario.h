@@ -1,0 +1,165 @@
+// A scenario as plain values: the shader, what it draws, what its inputs are and how they vary. Read from TOML by
+// readScenario (read_scenario.h); the format is documented in docs/scenario.md.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "runtime/base/result.h"
+
+namespace reprise {
+
+// A value over time: 1 to 16 floats. Times are in seconds, angles in radians, unless the name says otherwise.
+struct FixedTrack {
+  std::vector<float> value;
+};
+struct KeyFramesTrack {  // piecewise linear, clamped at the ends
+  std::vector<float> times_s;
+  std::vector<std::vector<float>> values;
+};
+struct OscillationTrack {  // base + amplitude * sin(2 pi t / period_s + phase_rad)
+  std::vector<float> base, amplitude;
+  float period_s = 1;
+  float phase_rad = 0;
+};
+struct RandomWalkTrack {  // seeded; starts at base, each component stays within base +- extent
+  std::vector<float> base, extent;
+  float step_per_s = 1;
+  std::uint32_t seed = 1;
+};
+using Track = std::variant<FixedTrack, KeyFramesTrack, OscillationTrack, RandomWalkTrack>;
+
+struct OrbitPath {  // around target in the plane normal to up
+  std::array<float, 3> target = {0, 0, 0};
+  float radius = 4;
+  float height = 0;
+  float start_rad = 0;
+  float radians_per_frame = 0.02f;
+};
+struct TrackPath {
+  Track eye;     // 3 values
+  Track target;  // 3 values
+};
+using CameraPath = std::variant<OrbitPath, TrackPath>;
+
+struct Camera {
+  CameraPath path;
+  std::array<float, 3> up = {0, 1, 0};
+  bool orthographic = false;
+  float fov_y_deg = 45;       // perspective
+  float ortho_height = 4;     // orthographic: height of the view volume
+  float near_plane = 0.1f, far_plane = 100;
+  bool reverse_z = false;
+};
+
+// Position, rotation and scale of an object over time. rotation: Euler angles in degrees, applied x, then y, then z.
+// translate and scale: 3 values; spin: constant turn about `spin_axis`.
+struct Motion {
+  Track translate = FixedTrack{{0, 0, 0}};
+  Track rotate_deg = FixedTrack{{0, 0, 0}};
+  Track scale = FixedTrack{{1, 1, 1}};
+  std::array<float, 3> spin_axis = {0, 1, 0};
+  float spin_rad_per_frame = 0;
+};
+
+enum class MeshKind { kSphere, kTorusKnot, kPlane, kTerrain, kRevolution };
+
+struct MeshSpec {
+  MeshKind kind = MeshKind::kSphere;
+  int segments_u = 64, segments_v = 32;
+  float radius = 1;                 // sphere, knot
+  float tube_radius = 0.3f;         // knot
+  int p = 2, q = 3;                 // knot
+  float size = 2;                   // plane, terrain: edge length
+  float height = 0.3f;              // terrain
+  std::uint32_t seed = 1;           // terrain
+  std::vector<std::array<float, 2>> profile;  // revolution: (radius, y) from bottom to top
+};
+
+struct Object {
+  std::string name;
+  MeshSpec mesh;
+  Motion motion;
+};
+
+enum class Semantic {
+  kView, kProjection, kViewProjection, kModel, kNormalMatrix, kCameraPosition, kTime, kFrame, kResolution
+};
+
+// Where a uniform member's value comes from. "block.member" names it in `UniformBinding::member`.
+struct UniformBinding {
+  std::string member;
+  std::variant<Semantic, Track> source;
+  Place place;
+};
+
+enum class TextureKind { kFile, kChecker, kNoise, kGradient, kSky };
+
+struct TextureSpec {
+  std::string name;     // the descriptor's name in the shader
+  TextureKind kind = TextureKind::kChecker;
+  std::string path;     // kFile: PNG or HDR, absolute
+  int size = 256;       // generated: width and height
+  int cells = 8;
+  std::uint32_t seed = 1;
+  std::array<float, 4> color_a = {1, 1, 1, 1}, color_b = {0, 0, 0, 1};
+  bool linear = true;   // filter
+  bool repeat = true;
+  bool mipmaps = true;
+  bool srgb = false;
+  Place place;
+};
+
+enum class CullMode { kNone, kBack, kFront };
+enum class DepthCompare { kLess, kLessOrEqual, kGreater, kGreaterOrEqual };
+
+struct RenderState {
+  CullMode cull = CullMode::kBack;
+  DepthCompare compare = DepthCompare::kLess;
+  bool depth_stencil = false;             // D32_SFLOAT_S8_UINT instead of D32_SFLOAT
+  std::vector<std::string> color_formats;  // "rgba8_unorm", "rgba16_sfloat", "rgba32_sfloat"; one per output
+  std::array<float, 4> clear = {0, 0, 0, 1};
+};
+
+enum class SessionRole { kTraining, kValidation };
+
+// One path through the scenario. Objects and uniforms not overridden move as the scenario says. speed scales time.
+struct SessionSpec {
+  std::string name;
+  SessionRole role = SessionRole::kTraining;
+  Camera camera;
+  int frames = 0;       // 0: the scenario's
+  float speed = 1;
+  std::map<std::string, Motion> motions;      // by object name
+  std::map<std::string, Track> uniforms;      // by "block.member"
+};
+
+enum class ToneMap { kNone, kReinhard, kAces };
+
+struct Scenario {
+  std::string path;                 // of the TOML file, absolute
+  std::string name;
+  std::string fragment_path, vertex_path;  // absolute
+  std::vector<std::string> include_dirs;
+  std::vector<std::pair<std::string, std::string>> defines;
+  std::uint32_t width = 640, height = 360;
+  int frames = 96;
+  float frame_time_s = 1.0f / 60;   // virtual time per frame
+  std::vector<std::uint32_t> periods = {1, 2, 4, 8, 16, 32, 64};  // kNeverRefresh (0) stands for never
+  std::uint32_t seed = 1;
+  std::vector<Object> objects;
+  std::vector<UniformBinding> uniforms;
+  std::vector<TextureSpec> textures;
+  RenderState state;
+  std::vector<SessionSpec> sessions;
+  ToneMap tone_map = ToneMap::kNone;
+  float exposure = 1;
+  std::string hash;                 // contentHash of the TOML text and of all files that it names (shaders excluded)
+};
+
+}  // namespace reprise

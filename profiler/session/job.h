@@ -1,0 +1,89 @@
+// What a measuring process is asked to do, and what it answers. A job is a plain value with a JSON form; the supervisor
+// writes it to the worker's standard input and reads one JSON line per event from its standard output.
+//
+// All packages of a job are played in the same process on one device, from the same scenario and session. Jobs are
+// deterministic in all but times (laws 8, 9).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "profiler/measurements/row.h"
+#include "profiler/scenario/scenario.h"
+#include "runtime/base/result.h"
+
+namespace reprise {
+
+struct JobEntry {
+  std::string package_dir;          // a package whose `variant` is played
+  std::uint32_t period_frames = 1;
+};
+
+enum class JobKind {
+  kErrors,  // per frame: the original once, then every entry (instrumented packages); rows of errors and counts
+  kTimes,   // per round: every entry in turn, the same frame; uninstrumented packages; rows of times
+  kProbe,   // entries are rgba32f packages: ranges of payload and depth, non-finite values
+  kImages   // one frame of each entry as PNG files
+};
+
+struct Job {
+  JobKind kind = JobKind::kErrors;
+  std::string scenario_path;
+  std::string session;
+  std::string original_dir;                 // package of the original
+  std::vector<JobEntry> entries;
+  std::vector<std::string> metrics;         // kErrors: names; besides the cheap ones
+  int frames = 0;                           // kErrors, kProbe: number of frames from 0; 0: the session's
+  int rounds = 20;                          // kTimes: after warm-up
+  int warmup_frames = 4;
+  std::uint32_t width = 0, height = 0;      // 0: the scenario's
+  std::string device;                       // name or index as `reprise devices` prints it; empty: the first
+  int image_frame = 0;                      // kImages
+  std::string image_dir;
+  double fence_timeout_s = 20;
+  std::string run_id;
+};
+
+struct ProbeResult {
+  int entry = 0;
+  float payload_min[4] = {}, payload_max[4] = {};
+  float depth_min = 0, depth_max = 0;       // view-linear, over all covered pixels
+  std::uint64_t nonfinite_payload = 0;      // pixels
+  std::uint64_t nonfinite_color = 0;        // pixels of the original
+  std::uint64_t covered = 0;
+};
+
+struct JobResult {
+  std::string device, driver;
+  bool cpu_device = false;                       // decides the binding clock: process CPU time, else timestamps
+  std::vector<std::vector<ErrorRow>> errors;     // by entry
+  std::vector<std::vector<TimeRow>> times;       // by entry; times[e][r] of round r
+  std::vector<ProbeResult> probes;               // by entry
+  std::vector<std::string> images;               // kImages: paths written: original, then per entry cached, error, kind
+};
+
+struct JobProgress {
+  int done = 0, total = 0;  // frames or rounds
+};
+
+// Runs a job in this process. Errors: device.none, device.lost, device.timeout, ... (kMachine or kMeasurement).
+Result<JobResult> runJob(const Job& job, const std::function<void(const JobProgress&)>& progress);
+
+// Runs a job in a worker process (`worker_path worker`, this executable) and survives its death: a crash is
+// worker.crashed, silence beyond the time-out worker.timeout (kMeasurement). SIGINT: kInterrupted.
+struct SupervisorOptions {
+  std::string worker_path;
+  double silence_timeout_s = 60;
+};
+Result<JobResult> superviseJob(const Job& job, const SupervisorOptions& options,
+                               const std::function<void(const JobProgress&)>& progress);
+
+// The worker's side: reads a job from standard input, answers on standard output. Returns the exit status.
+int runWorker();
+
+std::string jobToJson(const Job& job);
+Result<Job> jobFromJson(const std::string& text);
+
+}  // namespace reprise

@@ -1,0 +1,14 @@
+#include "runtime/base/check.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace reprise {
+
+void failCheck(const char* condition, const char* file, int line, const std::string& values) {
+  std::fprintf(stderr, "%s:%d: bug in Reprise: check failed: %s [%s]\n", file, line, condition, values.c_str());
+  std::fflush(nullptr);
+  std::_Exit(70);
+}
+
+}  // namespace reprise

@@ -1,0 +1,188 @@
+// A variant as data: what an application (or the profiler) has to create, bind and draw to play it.
+//
+// A frame of a recipe is its passes in order. Consecutive passes with the same `rendering` number share one rendering
+// instance (same attachments, no barrier between). Colour attachment `kAppTarget` i is the application's i-th colour target;
+// any other attachment and every read names a resource. The player applies the load operation of an attachment's first pass.
+//
+// Reprise's own descriptors lie in one set, `reprise_set`, the first that the application's shaders leave free:
+//   binding 0             uniform buffer FrameUniforms (below), one per frame
+//   binding 1             uniform buffer, dynamic offset, one per draw: uint valid_last_frame at 0 (0 for a draw id that was
+//                         absent last frame), the push constants of last frame from byte 16 on
+//   bindings 2..          combined image samplers of the pass's `reads`
+//   bindings 16..         uniform buffers, dynamic offset: last frame's content of the blocks in `previous_inputs`
+// The layout is the same for all passes of a recipe; bindings that a pass does not read may hold any valid image.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/package/interface.h"
+
+namespace reprise {
+
+inline constexpr int kRecipeFormatVersion = 1;
+
+enum class PatternKind { kTiled, kRandom, kInterleaved };
+enum class Filter { kNearest, kBilinear };
+enum class Encoding { kRgba8, kRgba16f, kRgba32f };
+
+// Spellings of the command line, of files and of reports: "tiled", "nearest", "rgba16f".
+const char* nameOf(PatternKind kind);
+const char* nameOf(Filter filter);
+const char* nameOf(Encoding encoding);
+std::optional<PatternKind> patternKindOf(const std::string& name);
+std::optional<Filter> filterOf(const std::string& name);
+std::optional<Encoding> encodingOf(const std::string& name);
+
+// Periods are 1, 2, 4, ... 64; kNeverRefresh stands for "never" (null in JSON).
+inline constexpr std::uint32_t kNeverRefresh = 0;
+
+// The group of pixel (x, y), an integer in [0, n) for period n: the pixel is due in frame f when group == f mod n.
+// block is the edge of a refresh block in pixels, a power of two and at least 2; width, height are the target's. The shader
+// computes the very same (compiler/strategies/glsl/refresh.glsl); this copy is for tests and for tools. n must be a power of
+// two; never-refresh has no groups.
+std::uint32_t refreshGroup(PatternKind kind, std::uint32_t x, std::uint32_t y, std::uint32_t period_frames,
+                           std::uint32_t block, std::uint32_t width, std::uint32_t height);
+
+// std140 image of reprise_set binding 0. Filled by the player once a frame.
+struct FrameUniforms {
+  std::uint32_t frame = 0;            // counts from 0
+  std::uint32_t period_frames = 1;    // kNeverRefresh: never
+  std::uint32_t history_valid = 0;    // 0 in frame 0 and after invalidate(): every pixel misses
+  std::uint32_t reserved = 0;
+  float viewport[4] = {};             // x, y, width, signed height (pixels) of this frame
+  float previous_viewport[4] = {};    // of the last frame
+  float depth_range[4] = {};          // stored = depth * [0] + [1]; valid stored values lie in [2]..[3]
+  float tolerance[4] = {};            // quantization step, slope factor (footprint, pixels), relative epsilon, slope cap; stored units
+  float payload_scale[4] = {1, 1, 1, 1};   // stored = payload * scale + offset
+  float payload_offset[4] = {};
+  float payload_range[4] = {};        // [0], [1]: lowest and highest storable value; outside: stored invalid
+  float free_payload[4] = {};         // payload of the tail-only limit
+};
+static_assert(sizeof(FrameUniforms) == 16 * 9);
+
+enum class ResourceFormat { kRgba8Unorm, kRgba16Sfloat, kRgba32Sfloat, kR8Unorm, kR16Sfloat, kR32Sfloat };
+const char* nameOf(ResourceFormat format);
+std::optional<ResourceFormat> resourceFormatOf(const std::string& name);
+int bytesPerPixel(ResourceFormat format);
+
+// kFrame: content lives for one frame. kHistory: two images that swap roles every frame; attachments write this frame's,
+// reads see last frame's unless they say `current`. kPersistent: written rarely, kept (none yet).
+enum class Lifetime { kFrame, kHistory, kPersistent };
+
+struct Resource {
+  std::string name;
+  ResourceFormat format = ResourceFormat::kRgba16Sfloat;
+  float scale = 1;  // of the target's extent
+  Lifetime lifetime = Lifetime::kFrame;
+  std::array<float, 4> clear = {0, 0, 0, 0};
+  bool operator==(const Resource&) const = default;
+};
+
+enum class LoadOp { kClear, kLoad, kDontCare };
+enum class BlendKind { kReplace, kAdd };  // kAdd: one + one, for the counting copy
+
+struct ColorAttachment {
+  int app_target = -1;   // index of the application's colour target, or
+  std::string resource;  // the name of a resource
+  LoadOp load = LoadOp::kClear;
+  BlendKind blend = BlendKind::kReplace;
+  int location = 0;      // fragment output location
+  bool operator==(const ColorAttachment&) const = default;
+};
+
+// Depth state of a pass. kAsApp: the application's comparison and write flag.
+enum class DepthUse { kAsApp, kEqualNoWrite };
+// Stencil state of a pass. kMarkIfZero: passes where 0, writes 1; the attachment's stencil is cleared to 0 at load.
+enum class StencilUse { kNone, kMarkIfZero };
+
+struct Read {
+  std::string resource;
+  std::uint32_t binding = 2;   // in reprise_set
+  Filter filter = Filter::kNearest;  // samplers use unnormalized coordinates and clamp to edge
+  bool current = false;        // this frame's image (written by an earlier rendering) instead of last frame's
+  bool operator==(const Read&) const = default;
+};
+
+enum class PassKind { kDraw, kDispatch, kFullScreen };  // version 1 plays kDraw
+
+struct Pass {
+  std::string name;             // "lookup", "shade", ...: for time stamps and reports
+  PassKind kind = PassKind::kDraw;
+  int rendering = 0;            // passes of one rendering instance are consecutive
+  std::string vertex_module;    // names of modules
+  std::string fragment_module;  // empty: depth only
+  std::vector<ColorAttachment> colors;  // the same list, in order, for all passes of a rendering
+  bool depth_clear = true;      // of the rendering's first pass: clear (else load) depth and stencil
+  DepthUse depth = DepthUse::kAsApp;
+  StencilUse stencil = StencilUse::kNone;
+  std::vector<Read> reads;
+  bool operator==(const Pass&) const = default;
+};
+
+struct ModuleEntry {
+  std::string name;   // "fragment_hit"
+  std::string stage;  // "vertex", "fragment", "compute"
+  std::string hash;   // contentHash of its SPIR-V
+  bool operator==(const ModuleEntry&) const = default;
+};
+
+enum class PreviousSource { kUniformBlock, kPushConstants };
+
+// An input of the slice of gl_Position whose content of the last frame the player has to supply.
+struct PreviousInput {
+  PreviousSource source = PreviousSource::kUniformBlock;
+  std::string name;             // of the block
+  std::uint32_t set = 0;        // of the application's block; unused for push constants
+  std::uint32_t binding = 0;
+  std::uint32_t size_bytes = 0;
+  std::uint32_t reprise_binding = 16;  // where the previous copy is bound; unused for push constants
+  bool operator==(const PreviousInput&) const = default;
+};
+
+struct PayloadValue {
+  std::string name;
+  std::string type;  // "float", "vec3"
+  std::string file;
+  int line = 0;
+  int column = 0;
+  int channels = 1;
+  std::array<float, 4> range_min = {};  // as seen in training; equal to range_max where not known
+  std::array<float, 4> range_max = {};
+  std::vector<std::string> inputs;      // what it depends on: "Scene.camera_position", "texture albedo", "varying normal"
+  bool operator==(const PayloadValue&) const = default;
+};
+
+struct Requirements {
+  bool stencil = false;                 // the depth target must have stencil
+  bool depth_less_or_greater = false;   // strict comparison with depth writes
+  bool independent_blend = false;
+  bool linear_filter_float = false;     // RGBA16F or RGBA32F filtered
+  int color_attachments = 1;
+  bool operator==(const Requirements&) const = default;
+};
+
+struct Recipe {
+  int format_version = kRecipeFormatVersion;
+  std::string strategy;   // "original", "branch", "two_pass", ...
+  PatternKind pattern = PatternKind::kInterleaved;
+  std::uint32_t block_pixels = 16;
+  Filter filter = Filter::kNearest;
+  Encoding encoding = Encoding::kRgba16f;
+  std::uint32_t period_frames = 1;  // the chosen one; a run-time parameter all the same
+  std::vector<PayloadValue> payload;
+  Requirements requirements;
+  std::uint32_t reprise_set = 0;
+  bool uses_reprise_set = true;     // false for the original
+  bool orthographic = false;        // history depth is z instead of w
+  FrameUniforms constants;          // depth_range, tolerance, payload_*: copied into every frame's uniforms
+  std::vector<Resource> resources;
+  std::vector<Pass> passes;
+  std::vector<ModuleEntry> modules;
+  std::vector<PreviousInput> previous_inputs;
+};
+
+}  // namespace reprise
