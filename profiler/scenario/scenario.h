@@ -14,36 +14,45 @@
 
 namespace reprise {
 
-// A value over time: 1 to 16 floats. Times are in seconds, angles in radians, unless the name says otherwise.
+// A value over time: 1 to 256 floats, as many at every time. Times are in seconds, angles in radians, unless the name says
+// otherwise. Matrices are given column by column.
 struct FixedTrack {
   std::vector<float> value;
+  bool operator==(const FixedTrack&) const = default;
 };
-struct KeyFramesTrack {  // piecewise linear, clamped at the ends
+struct KeyFramesTrack {  // piecewise linear, clamped at the ends; times_s rise strictly
   std::vector<float> times_s;
   std::vector<std::vector<float>> values;
+  bool operator==(const KeyFramesTrack&) const = default;
 };
 struct OscillationTrack {  // base + amplitude * sin(2 pi t / period_s + phase_rad)
   std::vector<float> base, amplitude;
   float period_s = 1;
   float phase_rad = 0;
+  bool operator==(const OscillationTrack&) const = default;
 };
-struct RandomWalkTrack {  // seeded; starts at base, each component stays within base +- extent
+// Seeded; starts at base, each component stays within base +- extent and moves by at most step_per_s in a second.
+struct RandomWalkTrack {
   std::vector<float> base, extent;
   float step_per_s = 1;
   std::uint32_t seed = 1;
+  bool operator==(const RandomWalkTrack&) const = default;
 };
 using Track = std::variant<FixedTrack, KeyFramesTrack, OscillationTrack, RandomWalkTrack>;
 
-struct OrbitPath {  // around target in the plane normal to up
+// Around target in the plane normal to up, height above it. With up = +y: at +z for angle 0, at +x a quarter turn later.
+struct OrbitPath {
   std::array<float, 3> target = {0, 0, 0};
   float radius = 4;
   float height = 0;
   float start_rad = 0;
   float radians_per_frame = 0.02f;
+  bool operator==(const OrbitPath&) const = default;
 };
 struct TrackPath {
   Track eye;     // 3 values
   Track target;  // 3 values
+  bool operator==(const TrackPath&) const = default;
 };
 using CameraPath = std::variant<OrbitPath, TrackPath>;
 
@@ -55,6 +64,7 @@ struct Camera {
   float ortho_height = 4;     // orthographic: height of the view volume
   float near_plane = 0.1f, far_plane = 100;
   bool reverse_z = false;
+  bool operator==(const Camera&) const = default;
 };
 
 // Position, rotation and scale of an object over time. rotation: Euler angles in degrees, applied x, then y, then z.
@@ -65,6 +75,7 @@ struct Motion {
   Track scale = FixedTrack{{1, 1, 1}};
   std::array<float, 3> spin_axis = {0, 1, 0};
   float spin_rad_per_frame = 0;
+  bool operator==(const Motion&) const = default;
 };
 
 enum class MeshKind { kSphere, kTorusKnot, kPlane, kTerrain, kRevolution };
@@ -78,13 +89,15 @@ struct MeshSpec {
   float size = 2;                   // plane, terrain: edge length
   float height = 0.3f;              // terrain
   std::uint32_t seed = 1;           // terrain
-  std::vector<std::array<float, 2>> profile;  // revolution: (radius, y) from bottom to top
+  std::vector<std::array<float, 2>> profile;  // revolution: (radius, y) from bottom to top, a smooth curve through them
+  bool operator==(const MeshSpec&) const = default;
 };
 
 struct Object {
   std::string name;
   MeshSpec mesh;
   Motion motion;
+  bool operator==(const Object&) const = default;
 };
 
 enum class Semantic {
@@ -96,6 +109,7 @@ struct UniformBinding {
   std::string member;
   std::variant<Semantic, Track> source;
   Place place;
+  bool operator==(const UniformBinding&) const = default;
 };
 
 enum class TextureKind { kFile, kChecker, kNoise, kGradient, kSky };
@@ -113,6 +127,7 @@ struct TextureSpec {
   bool mipmaps = true;
   bool srgb = false;
   Place place;
+  bool operator==(const TextureSpec&) const = default;
 };
 
 enum class CullMode { kNone, kBack, kFront };
@@ -122,13 +137,16 @@ struct RenderState {
   CullMode cull = CullMode::kBack;
   DepthCompare compare = DepthCompare::kLess;
   bool depth_stencil = false;             // D32_SFLOAT_S8_UINT instead of D32_SFLOAT
-  std::vector<std::string> color_formats;  // "rgba8_unorm", "rgba16_sfloat", "rgba32_sfloat"; one per output
+  // "rgba8_unorm", "rgba16_sfloat", "rgba32_sfloat", one per output; empty: rgba8_unorm for every output.
+  std::vector<std::string> color_formats;
   std::array<float, 4> clear = {0, 0, 0, 1};
+  bool operator==(const RenderState&) const = default;
 };
 
 enum class SessionRole { kTraining, kValidation };
 
-// One path through the scenario. Objects and uniforms not overridden move as the scenario says. speed scales time.
+// One path through the scenario. Objects and uniforms not overridden move as the scenario says. speed scales time and all
+// motion per frame; 0 freezes all.
 struct SessionSpec {
   std::string name;
   SessionRole role = SessionRole::kTraining;
@@ -137,6 +155,7 @@ struct SessionSpec {
   float speed = 1;
   std::map<std::string, Motion> motions;      // by object name
   std::map<std::string, Track> uniforms;      // by "block.member"
+  bool operator==(const SessionSpec&) const = default;
 };
 
 enum class ToneMap { kNone, kReinhard, kAces };
@@ -151,15 +170,19 @@ struct Scenario {
   int frames = 96;
   float frame_time_s = 1.0f / 60;   // virtual time per frame
   std::vector<std::uint32_t> periods = {1, 2, 4, 8, 16, 32, 64};  // kNeverRefresh (0) stands for never
-  std::uint32_t seed = 1;
+  std::uint32_t seed = 1;           // mixed into the seeds of all random walks
   std::vector<Object> objects;
   std::vector<UniformBinding> uniforms;
+  Place uniforms_place;             // of [uniforms]; of the file where there is none
   std::vector<TextureSpec> textures;
   RenderState state;
   std::vector<SessionSpec> sessions;
   ToneMap tone_map = ToneMap::kNone;
   float exposure = 1;
-  std::string hash;                 // contentHash of the TOML text and of all files that it names (shaders excluded)
+  // contentHash of what the file says and of the texture files that it names. Comments, layout, the name and where files
+  // lie are left out, so that a copy made by writeScenario has the same hash; the shaders' code has hashes of its own.
+  std::string hash;
+  bool operator==(const Scenario&) const = default;
 };
 
 }  // namespace reprise

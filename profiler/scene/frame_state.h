@@ -1,4 +1,10 @@
 // The state of a session at one frame: camera, objects, uniform values. Deterministic: a function of its arguments alone.
+//
+// World space is right-handed with y up as cameras have it by default; view space looks along -z. Clip space is Vulkan's: y
+// down, z in [0, 1], with a viewport of positive height. Meshes wind counter-clockwise seen from outside, and the flip of y
+// in the projection and that of the framebuffer's y axis cancel out: the front faces are
+// VK_FRONT_FACE_COUNTER_CLOCKWISE. The depth buffer must be cleared to 1, with reverse_z cameras (depth_compare "greater"
+// or "greater_or_equal") to 0.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +19,9 @@
 
 namespace reprise {
 
+// Of the front faces of all built-in meshes under FrameState::projection.
+inline constexpr bool kFrontFaceCounterClockwise = true;
+
 struct FrameState {
   int frame = 0;
   float time_s = 0;       // frame * frame_time_s * session speed
@@ -22,10 +31,20 @@ struct FrameState {
   std::vector<glm::mat4> models;     // by object
 };
 
+// View (looking at the target, or along -up's perpendicular where eye and target coincide), projection and models of a frame.
+// model = translate * rotate_z * rotate_y * rotate_x * spin * scale; orbits and spins turn by their step * frame * speed.
 FrameState evaluateFrame(const Scenario& scenario, const SessionSpec& session, int frame);
 
 // The bytes of a uniform block or push-constant range for one object, by the scenario's bindings; members nobody binds stay
-// zero. block_name is the one before the dot in UniformBinding::member.
+// zero. block_name is the one before the dot in UniformBinding::member. Values are laid out by the members' offsets and
+// strides (std140, std430, scalar, row_major alike); numbers go to integer members rounded to the nearest. Sources and what
+// they fill, as checkBindings has it:
+//   view, projection, view_projection  mat4
+//   model            mat4 or mat4x3
+//   normal_matrix    the inverse transpose of the model's upper 3x3: mat3, mat3x4 or mat4 (the rest as in the unit matrix)
+//   camera_position  vec3 or vec4 (w = 1)
+//   time, frame      float, in seconds; int, uint or float
+//   resolution       vec2, or vec4 with the inverses in z and w
 std::vector<std::byte> fillBlock(const Scenario& scenario, const SessionSpec& session, const FrameState& state,
                                  std::size_t object, const std::string& block_name,
                                  const std::vector<BlockMember>& members, std::uint32_t size_bytes);

@@ -1,4 +1,8 @@
 // Textures from files or generators, as RGBA with 32-bit floats, rows from the top.
+//
+// Values are as stored: those of PNG and JPEG files lie in [0, 1] and are not decoded where `srgb` is set (the image format
+// of the renderer does that). checker, noise and gradient mix color_a and color_b; noise repeats without a seam. sky is a
+// map of latitude and longitude with a sun and has a high dynamic range, as HDR files have.
 #pragma once
 
 #include <vector>

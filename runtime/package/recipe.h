@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/base/check.h"
 #include "runtime/package/interface.h"
 
 namespace reprise {

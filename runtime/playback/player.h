@@ -104,6 +104,8 @@ class PassContext {
 struct PlayerOptions {
   std::uint32_t frames_in_flight = 2;
   bool force_original = false;
+  // Leaves out the dependency between rendering instances, so that a test can show that validation would notice.
+  bool omit_barrier_for_test = false;
 };
 
 // An image of the player's, for read-back by tools. In layout SHADER_READ_ONLY_OPTIMAL after record(); usage has TRANSFER_SRC.

@@ -1,0 +1,28 @@
+// Draws the sections in order. A section that fails is left out and says so; the others stand.
+
+function hide(id) {
+  byId(id).hidden = true;
+}
+
+function drawPage() {
+  const run = readRun();
+  byId('report').hidden = false;
+  const sections = [drawHead, drawTiles, drawAlerts, drawTradeoff, drawImages, drawTimes, drawPrediction, drawValidation, drawAttempts,
+    drawCandidates, drawFacts, drawStages];
+  for (const draw of sections) {
+    try {
+      draw(run);
+    } catch (problem) {
+      console.error(`${draw.name}: ${problem.stack || problem}`);
+      byId('alerts').append(html('div', { class: 'alert' }, `Part of this report could not be drawn (${draw.name}: ${problem.message}). The figures are in result.json.`));
+    }
+  }
+  document.documentElement.dataset.drawn = 'yes';
+}
+
+// Folded lists are unfolded on paper.
+window.addEventListener('beforeprint', () => {
+  for (const details of document.querySelectorAll('details')) details.open = true;
+});
+
+drawPage();

@@ -1,0 +1,131 @@
+// The outcome at a glance: sentence, tiles, warnings, times, prediction check, attempts, facts, stages.
+
+function drawHead(run) {
+  byId('title').textContent = run.scenario.name || run.scenario.path;
+  byId('headline').textContent = run.headline;
+  byId('because').textContent = run.isVariant ? run.choice.reason : '';
+}
+
+function tile(label, value, detail, meter) {
+  const bar = meter === undefined ? null : html('div', { class: `meter${meter > 1 ? ' over' : ''}`, 'aria-hidden': 'true' }, html('span'));
+  if (bar) bar.firstChild.style.width = `${Math.min(100, 100 * meter)}%`;
+  return html('div', { class: 'tile' }, html('div', { class: 'label' }, label), html('div', { class: 'value' }, value), bar, html('div', { class: 'detail' }, detail));
+}
+
+const withUnit = (value, unit) => [formatNumber(value), html('small', {}, unit)];
+
+function drawTiles(run) {
+  const { choice, original, limit, scenario, threshold } = run;
+  const tiles = byId('tiles');
+  if (!run.isVariant) {
+    const tried = run.attempts.filter((attempt) => isNumber(attempt.measured_speedup));
+    const fastest = tried.reduce((best, attempt) => (!best || attempt.measured_speedup > best.measured_speedup ? attempt : best), null);
+    if (isNumber(run.baseline_ms)) tiles.append(tile('Original', withUnit(run.baseline_ms, 'ms'), `per frame, ${formatClock(run.clock)}`));
+    tiles.append(tile('Allowed error', formatTick(threshold.value), threshold.metric));
+    if (fastest) tiles.append(tile('Fastest that was validated', formatSpeedup(fastest.measured_speedup), `error ${formatNumber(fastest.measured_error)}`));
+    if (isNumber(limit.frame_ms)) tiles.append(tile('Limit', withUnit(limit.frame_ms, 'ms'), 'tail alone, payload free'));
+    return;
+  }
+  tiles.append(
+    tile('Speed-up', formatSpeedup(choice.measured_speedup), choice.speedup_ci95 ? `95% interval ${formatInterval(choice.speedup_ci95)}` : ''),
+    tile(`Error, ${threshold.metric}`, formatNumber(choice.measured_error), `of ${formatTick(threshold.value)} allowed; worst frame ${formatNumber(choice.worst_frame_error)}`, choice.measured_error / threshold.value),
+    tile('Frame time', withUnit(choice.measured_frame_ms, 'ms'), `original ${formatMs(original.frame_ms)}; p95 ${formatMs(choice.p95_ms)}, worst ${formatMs(choice.worst_ms)}`));
+  if (isNumber(limit.frame_ms) && choice.measured_frame_ms > 0) {
+    const share = limit.frame_ms / choice.measured_frame_ms;
+    tiles.append(tile('Share of the limit', formatPercent(share), `a free payload would take ${formatMs(limit.frame_ms)}`, Math.min(1, share)));
+  }
+  if (isNumber(choice.hit_rate)) tiles.append(tile('Hit rate', formatPercent(choice.hit_rate), 'of covered pixels, in validation', choice.hit_rate));
+  if (isNumber(choice.cache_bytes_per_pixel)) {
+    const mebibytes = (choice.cache_bytes_per_pixel * scenario.width * scenario.height) / 2 ** 20;
+    tiles.append(tile('Cache', withUnit(choice.cache_bytes_per_pixel, 'bytes/pixel'), `${formatNumber(mebibytes)} MiB at ${scenario.width}×${scenario.height}`));
+  }
+}
+
+function drawAlerts(run) {
+  const add = (title, entries) => {
+    if (!entries.length) return;
+    byId('alerts').append(html('div', { class: 'alert' }, html('b', {}, title), html('ul', {}, entries.map((entry) => html('li', {}, entry)))));
+  };
+  add(run.warnings.length === 1 ? 'Warning' : `${run.warnings.length} warnings`, run.warnings);
+  add('Not reached within the budget', run.not_reached);
+}
+
+function drawTimes(run) {
+  const bars = [
+    { label: 'original', value: run.original.frame_ms },
+    { label: 'original with prepass', value: run.original.with_prepass_ms },
+    { label: 'choice', value: run.isVariant ? run.choice.measured_frame_ms : null, strong: true },
+    { label: 'limit: tail alone', value: run.limit.frame_ms },
+  ].filter((bar) => isNumber(bar.value)).map((bar) => ({ ...bar, text: formatMs(bar.value) }));
+  if (!bars.length) return hide('times');
+  redrawOnResize(byId('times-bars'), (width) => horizontalBars(width, bars));
+  const wall = isNumber(run.choice.wall_speedup)
+    ? ` By wall time the choice is ${formatSpeedup(run.choice.wall_speedup)} as fast${run.choice.wall_speedup_ci95 ? ` (95%: ${formatInterval(run.choice.wall_speedup_ci95)})` : ''}.` : '';
+  byId('times-note').textContent = `Medians by ${formatClock(run.clock)}, the clock that binds; speed-up is against the faster original.${wall}`;
+}
+
+function drawPrediction(run) {
+  const { choice } = run;
+  const rows = [
+    ['Frame time', choice.predicted_frame_ms, choice.measured_frame_ms, formatMs],
+    ['Speed-up', choice.predicted_speedup, choice.measured_speedup, formatSpeedup],
+    [`Error, ${run.threshold.metric}`, choice.predicted_error, choice.measured_error, formatNumber],
+  ].filter((row) => isNumber(row[1]) && isNumber(row[2]));
+  if (!run.isVariant || !rows.length) return hide('prediction');
+  const off = ([, predicted, measured]) => {
+    if (measured === 0) return 'n/a';
+    const percent = (100 * (predicted - measured)) / measured;
+    return `${percent >= 0 ? '+' : '−'}${formatNumber(Math.abs(percent), 2)}%`;
+  };
+  byId('prediction-table').append(table([
+    { title: '', cell: (row) => html('span', { class: 'line' }, row[0]) },
+    { title: 'Predicted', num: true, cell: (row) => row[3](row[1]) },
+    { title: 'Measured', num: true, cell: (row) => row[3](row[2]) },
+    { title: 'Prediction off by', num: true, cell: off },
+  ], rows));
+}
+
+function drawAttempts(run) {
+  if (!run.attempts.length) return hide('attempts');
+  const names = new Map(run.candidates.map((candidate) => [candidate.id, candidate.name]));
+  byId('attempts-table').append(table([
+    { title: '', num: true, cell: (attempt) => run.attempts.indexOf(attempt) + 1 },
+    { title: 'Candidate', cell: (attempt) => names.get(attempt.candidate_id) || attempt.candidate_id },
+    { title: 'Configuration', cell: (attempt) => attempt.configuration },
+    { title: 'Period', num: true, cell: (attempt) => formatPeriod(attempt.period_frames) },
+    { title: 'Error', num: true, cell: (attempt) => formatNumber(attempt.measured_error) },
+    { title: 'Speed-up', num: true, cell: (attempt) => [formatSpeedup(attempt.measured_speedup), html('div', { class: 'sub' }, formatInterval(attempt.speedup_ci95))] },
+    { title: 'Verdict', class: 'text', cell: (attempt) => [html('span', { class: `tag ${attempt.accepted ? 'good' : 'bad'}` }, attempt.accepted ? '✓ accepted' : '✗ not accepted'), ' ', attempt.reason] },
+  ], run.attempts, (attempt) => (attempt.accepted ? 'chosen' : '')));
+}
+
+function drawFacts(run) {
+  const { choice, device, scenario, shader } = run;
+  const code = (text) => (text ? html('code', {}, text) : '');
+  const payload = choice.payload.map((value) => html('div', {}, code(`${value.type} ${value.name}`), ' at ', code(formatPlace(value))));
+  const facts = [
+    ['Payload', payload.length ? payload : ''],
+    ['Variant', run.isVariant ? `${formatVariant(choice)}, ${formatPeriodLong(choice.period_frames)}` : ''],
+    ['Device', device.name], ['Driver', device.driver], ['Host', device.host],
+    ['Binding clock', isNumber(run.baseline_ms) ? formatClock(run.clock) : ''],
+    ['Resolution', scenario.width ? `${scenario.width} × ${scenario.height}` : ''],
+    ['Training', scenario.frames ? `${scenario.frames} frames, seed ${scenario.seed}` : ''],
+    ['Scenario', scenario.path && [code(scenario.path), scenario.hash && html('div', { class: 'sub' }, code(scenario.hash))]],
+    ['Fragment shader', shader.fragment && [code(shader.fragment), shader.hash && html('div', { class: 'sub' }, code(shader.hash))]],
+    ['Vertex shader', code(shader.vertex)],
+    ['Threshold', `${formatTick(run.threshold.value)} ${run.threshold.metric}`],
+    ['Finished', run.finished_at || ''],
+    ['Reprise', run.tool_version],
+    ['Repeat with', run.command ? html('code', { class: 'command' }, run.command.split(' ').flatMap((word) => [html('span', { class: 'token' }, word), ' '])) : ''],
+  ];
+  byId('facts-list').append(...facts.filter(([, value]) => value && value.length !== 0).flatMap(([label, value]) => [html('dt', {}, label), html('dd', {}, value)]));
+}
+
+function drawStages(run) {
+  const stages = Object.entries(run.seconds).filter(([, seconds]) => isNumber(seconds));
+  if (!stages.length) return hide('stages');
+  const total = stages.reduce((sum, [, seconds]) => sum + seconds, 0);
+  const bars = stages.map(([label, seconds]) => ({ label, value: seconds, text: formatSeconds(seconds) }));
+  redrawOnResize(byId('stages-bars'), (width) => horizontalBars(width, bars));
+  byId('stages').append(html('p', { class: 'note' }, `${formatSeconds(total)} in all.`));
+}

@@ -1,0 +1,261 @@
+#include <algorithm>
+#include <functional>
+
+#include "cli/report/text.h"
+
+namespace reprise {
+namespace {
+
+constexpr std::size_t kColumns = 80;
+constexpr std::size_t kLabelColumns = 15;
+
+std::size_t columnsOf(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+// The bytes of the first `columns` code points.
+std::size_t bytesOfColumns(const std::string& text, std::size_t columns) {
+  std::size_t at = 0;
+  while (at < text.size()) {
+    if ((text[at] & 0xC0) != 0x80 && columns-- == 0) break;
+    ++at;
+  }
+  return at;
+}
+
+std::string padded(const std::string& text, std::size_t columns) {
+  if (columnsOf(text) > columns) return text.substr(0, bytesOfColumns(text, columns - 2)) + "..";
+  return text + std::string(columns - columnsOf(text), ' ');
+}
+
+// Appends `text` wrapped at kColumns; the first line starts with `head`, the others with as many spaces.
+void wrap(std::string& out, const std::string& head, const std::string& text) {
+  const std::string indent(columnsOf(head), ' ');
+  std::string line = head;
+  bool line_empty = true;
+  const auto flush = [&] {
+    out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+    line = indent;
+    line_empty = true;
+  };
+  std::string rest = printable(text);
+  while (!rest.empty()) {
+    const std::size_t word_end = std::min(rest.find(' '), rest.size());
+    std::string word = rest.substr(0, word_end);
+    rest.erase(0, word_end + (word_end < rest.size() ? 1 : 0));
+    if (!line_empty && columnsOf(line) + 1 + columnsOf(word) > kColumns) flush();
+    if (!line_empty) line += ' ';
+    while (columnsOf(line) + columnsOf(word) > kColumns) {
+      const std::size_t fitting = bytesOfColumns(word, kColumns - columnsOf(line));
+      line += word.substr(0, fitting);
+      word.erase(0, fitting);
+      flush();
+    }
+    line += word;
+    line_empty = false;
+  }
+  flush();
+}
+
+void fact(std::string& out, const std::string& label, const std::string& text) {
+  if (!text.empty()) wrap(out, padded("  " + label, kLabelColumns), text);
+}
+
+std::string number(const std::optional<double>& value, const std::string& unit = "") {
+  return value ? formatNumber(*value) + unit : "n/a";
+}
+
+std::string interval(const std::optional<RunInterval>& ci) {
+  return ci ? " (95%: " + formatNumber(ci->lo) + " to " + formatNumber(ci->hi) + ")" : "";
+}
+
+std::string placeText(const std::string& file, int line, int column) {
+  std::string text = file;
+  if (line > 0) text += ":" + std::to_string(line);
+  if (line > 0 && column > 0) text += ":" + std::to_string(column);
+  return text;
+}
+
+template <class T>
+std::string blockAndEncoding(const T& variant) {
+  std::string text = variant.pattern;
+  if (variant.block_pixels > 0) {
+    text += " " + std::to_string(variant.block_pixels) + "x" + std::to_string(variant.block_pixels);
+  }
+  return text + ", " + variant.filter + ", " + variant.encoding;
+}
+
+struct Best {
+  const RunConfiguration* configuration = nullptr;
+  double error = 0, frame_ms = 0;
+  std::uint32_t period_frames = 0;
+};
+
+// The fastest point of a candidate under the threshold, measured values before predicted ones. Period 1
+// reuses nothing and does not count.
+Best bestUnderThreshold(const RunCandidate& candidate, double threshold) {
+  Best best;
+  for (const RunConfiguration& configuration : candidate.configurations) {
+    for (const RunPoint& point : configuration.points) {
+      const std::optional<double> error = point.measured_error ? point.measured_error : point.predicted_error;
+      const std::optional<double> frame_ms =
+          point.measured_frame_ms ? point.measured_frame_ms : point.predicted_frame_ms;
+      if (!error || !frame_ms || !(*error <= threshold) || point.period_frames == 1) continue;
+      if (best.configuration && *frame_ms >= best.frame_ms) continue;
+      best = {&configuration, *error, *frame_ms, point.period_frames};
+    }
+  }
+  return best;
+}
+
+void choiceFacts(std::string& out, const RunResult& result) {
+  const RunChoice& choice = result.choice;
+  for (const RunPayloadValue& value : choice.payload) {
+    fact(out, "payload",
+         value.name + " (" + value.type + ") at " + placeText(value.file, value.line, value.column));
+  }
+  if (choice.kind == ChoiceKind::kVariant) {
+    fact(
+        out, "variant",
+        choice.strategy + ", " + blockAndEncoding(choice) + ", period " + formatPeriod(choice.period_frames));
+    fact(out, "speed-up",
+         number(choice.measured_speedup) + interval(choice.speedup_ci95) + ", predicted " +
+             number(choice.predicted_speedup) + "; by wall time " + number(choice.wall_speedup) +
+             interval(choice.wall_speedup_ci95));
+    fact(out, "error",
+         number(choice.measured_error) + " " + result.threshold.metric + " of " +
+             formatGiven(result.threshold.value) + " allowed, predicted " + number(choice.predicted_error) +
+             "; worst frame " + number(choice.worst_frame_error));
+    fact(out, "frame time",
+         number(choice.measured_frame_ms, " ms") + ", predicted " + number(choice.predicted_frame_ms, " ms") +
+             "; p95 " + number(choice.p95_ms, " ms") + ", worst " + number(choice.worst_ms, " ms"));
+    fact(out, "cache",
+         number(choice.cache_bytes_per_pixel) + " bytes per pixel, hit rate " + number(choice.hit_rate));
+  }
+  if (!result.original.frame_ms) return;
+  fact(out, "original",
+       number(result.original.frame_ms, " ms") + ", with a depth prepass " +
+           number(result.original.with_prepass_ms, " ms") + "; wall " +
+           number(result.original.wall_ms, " ms"));
+  if (result.limit.frame_ms)
+    fact(out, "limit", formatNumber(*result.limit.frame_ms) + " ms: the tail alone with a free payload");
+}
+
+void machineFacts(std::string& out, const RunResult& result) {
+  fact(out, "device", result.device.name + (result.device.driver.empty() ? "" : ", " + result.device.driver));
+  fact(out, "host", result.device.host);
+  fact(out, "clock", result.clock == "process_cpu" ? "process CPU time" : result.clock);
+  if (!result.scenario.path.empty())
+    fact(out, "scenario",
+         result.scenario.path + ", " + std::to_string(result.scenario.width) + "x" +
+             std::to_string(result.scenario.height) + ", seed " + std::to_string(result.scenario.seed));
+  fact(out, "shader", result.shader.fragment);
+  fact(out, "repeat with", result.command);
+}
+
+void candidateTable(std::string& out, const RunResult& result) {
+  const auto trained = std::count_if(
+      result.candidates.begin(), result.candidates.end(),
+      [](const RunCandidate& candidate) { return candidate.status == CandidateStatus::kTrained; });
+  out += "\nCandidates: " + std::to_string(result.candidates.size()) + ", of which " +
+         std::to_string(trained) + " trained\n";
+  if (trained == 0) return;
+  const auto row = [&](const std::vector<std::string>& cells) {
+    constexpr std::size_t kWidths[] = {20, 7, 18, 7, 9, 9};
+    std::string line = "  ";
+    for (std::size_t i = 0; i < cells.size(); ++i) line += padded(cells[i], kWidths[i]) + " ";
+    out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  };
+  row({"name", "cost %", "fastest allowed", "period", "error", "ms"});
+  for (const RunCandidate& candidate : result.candidates) {
+    if (candidate.status != CandidateStatus::kTrained) continue;
+    const Best best = bestUnderThreshold(candidate, result.threshold.value);
+    const std::string share = formatNumber(100 * candidate.cost_share);
+    if (best.configuration) {
+      row({printable(candidate.name), share, printable(best.configuration->strategy),
+           formatPeriod(best.period_frames), formatNumber(best.error), formatNumber(best.frame_ms)});
+    } else {
+      row({printable(candidate.name), share, "none"});
+    }
+  }
+}
+
+std::string attemptText(const RunAttempt& attempt) {
+  std::string text = attempt.candidate_id + ", " + attempt.configuration + ", period " +
+                     formatPeriod(attempt.period_frames) + ": error " + number(attempt.measured_error) +
+                     ", speed-up " + number(attempt.measured_speedup) + interval(attempt.speedup_ci95) +
+                     (attempt.accepted ? "; accepted" : "; not accepted");
+  return attempt.reason.empty() ? text : text + ": " + attempt.reason;
+}
+
+template <class T>
+void list(std::string& out, const std::string& title, const std::vector<T>& entries,
+          const std::function<std::string(const T&)>& textOf) {
+  if (entries.empty()) return;
+  out += "\n" + title + "\n";
+  for (const T& entry : entries) wrap(out, "  - ", textOf(entry));
+}
+
+std::string cell(const std::string& text) {
+  std::string escaped;
+  for (const char c : printable(text)) {
+    if (c == '<')
+      escaped += "&lt;";
+    else if (c == '&')
+      escaped += "&amp;";
+    else if (std::string("|\\`*_[]").find(c) != std::string::npos)
+      escaped += std::string("\\") + c;
+    else
+      escaped += c;
+  }
+  return escaped;
+}
+
+}  // namespace
+
+std::string summaryText(const RunResult& result) {
+  std::string out;
+  wrap(out, "", choiceSentence(result));
+  if (result.choice.kind == ChoiceKind::kVariant && !result.choice.reason.empty())
+    wrap(out, "", result.choice.reason);
+  out += "\n";
+  choiceFacts(out, result);
+  out += "\n";
+  machineFacts(out, result);
+  candidateTable(out, result);
+  list<RunAttempt>(out, "Taken to validation, in this order", result.attempts, attemptText);
+  const auto asIs = [](const std::string& text) { return text; };
+  list<std::string>(out, "Warnings", result.warnings, asIs);
+  list<std::string>(out, "Not reached within the budget", result.not_reached, asIs);
+  return out;
+}
+
+std::string summaryMarkdown(const RunResult& result) {
+  const RunChoice& choice = result.choice;
+  std::string out = cell(choiceSentence(result)) +
+                    "\n\n| | original | choice | predicted | limit |\n|---|--:|--:|--:|--:|\n";
+  const auto row = [&](const std::string& label, const std::vector<std::string>& cells) {
+    out += "| " + label + " |";
+    for (const std::string& text : cells) out += " " + text + " |";
+    out += "\n";
+  };
+  row("frame time, ms", {number(result.original.frame_ms), number(choice.measured_frame_ms),
+                         number(choice.predicted_frame_ms), number(result.limit.frame_ms)});
+  row("speed-up", {"1", number(choice.measured_speedup) + interval(choice.speedup_ci95),
+                   number(choice.predicted_speedup), ""});
+  row("speed-up by wall time",
+      {"1", number(choice.wall_speedup) + interval(choice.wall_speedup_ci95), "", ""});
+  row("error, " + cell(result.threshold.metric),
+      {"0", number(choice.measured_error) + " of " + formatGiven(result.threshold.value),
+       number(choice.predicted_error), ""});
+  row("hit rate", {"", number(choice.hit_rate), "", ""});
+  row("cache, bytes per pixel", {"0", number(choice.cache_bytes_per_pixel), "", ""});
+  out += "\n" + cell(result.device.name) + ", " + cell(result.device.driver);
+  if (!result.device.host.empty()) out += ", " + cell(result.device.host);
+  out += "; " + std::to_string(result.scenario.width) + "×" + std::to_string(result.scenario.height) +
+         "; clock " + cell(result.clock) + "; Reprise " + cell(result.tool_version) + ".\n";
+  return out;
+}
+
+}  // namespace reprise

@@ -1,0 +1,41 @@
+# What `cmake --install` puts where:
+#   bin/reprise                             the command line, where it is built
+#   lib/                                    the runtime as static libraries
+#   include/reprise/runtime/...             its public headers, included as "runtime/playback/player.h"
+#   lib/cmake/Reprise/                      find_package(Reprise) with Reprise::package and Reprise::playback
+include(CMakePackageConfigHelpers)
+
+set(REPRISE_INSTALL_INCLUDE ${CMAKE_INSTALL_INCLUDEDIR}/reprise)
+set(REPRISE_INSTALL_CMAKE ${CMAKE_INSTALL_LIBDIR}/cmake/Reprise)
+
+# The runtime's libraries under the names that users link: reprise_playback is Reprise::playback.
+set(REPRISE_INSTALLED_TARGETS reprise_options)
+foreach(part base package vulkan playback)
+  set_target_properties(reprise_${part} PROPERTIES EXPORT_NAME ${part})
+  list(APPEND REPRISE_INSTALLED_TARGETS reprise_${part})
+endforeach()
+target_compile_features(reprise_base PUBLIC cxx_std_20)
+
+install(TARGETS ${REPRISE_INSTALLED_TARGETS} EXPORT RepriseTargets
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+        INCLUDES DESTINATION ${REPRISE_INSTALL_INCLUDE})
+install(EXPORT RepriseTargets NAMESPACE Reprise:: DESTINATION ${REPRISE_INSTALL_CMAKE})
+
+foreach(header
+    runtime/base/check.h runtime/base/file.h runtime/base/hash.h runtime/base/result.h
+    runtime/package/interface.h runtime/package/package.h runtime/package/recipe.h
+    runtime/playback/player.h)
+  cmake_path(GET header PARENT_PATH folder)
+  install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${REPRISE_INSTALL_INCLUDE}/${folder})
+endforeach()
+
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/RepriseConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/cmake/RepriseConfig.cmake INSTALL_DESTINATION ${REPRISE_INSTALL_CMAKE})
+# Package formats may change with any version below 1.0: SameMinorVersion says so.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/cmake/RepriseConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/cmake/RepriseConfig.cmake ${PROJECT_BINARY_DIR}/cmake/RepriseConfigVersion.cmake
+        DESTINATION ${REPRISE_INSTALL_CMAKE})
+
+if(TARGET reprise)
+  install(TARGETS reprise RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()

@@ -1,0 +1,231 @@
+#include "compiler/analysis/analyse.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "compiler/analysis/operation_cost.h"
+
+namespace reprise {
+namespace {
+
+using spv::Op;
+using spv::StorageClass;
+
+const char* builtInName(std::uint32_t built_in) {
+  switch (static_cast<spv::BuiltIn>(built_in)) {
+    case spv::BuiltIn::FragCoord: return "FragCoord";
+    case spv::BuiltIn::FrontFacing: return "FrontFacing";
+    case spv::BuiltIn::PointCoord: return "PointCoord";
+    case spv::BuiltIn::SampleId: return "SampleId";
+    case spv::BuiltIn::SamplePosition: return "SamplePosition";
+    case spv::BuiltIn::SampleMask: return "SampleMask";
+    case spv::BuiltIn::HelperInvocation: return "HelperInvocation";
+    case spv::BuiltIn::PrimitiveId: return "PrimitiveId";
+    case spv::BuiltIn::Layer: return "Layer";
+    case spv::BuiltIn::ViewportIndex: return "ViewportIndex";
+    default: return "built-in";
+  }
+}
+
+class InputFinder {
+ public:
+  InputFinder(const PreparedShader& shader, ShaderAnalysis& analysis) : module_(shader.module), analysis_(analysis) {}
+
+  // The input that a load through `pointer` reads; none for local variables and constants.
+  std::optional<int> inputOf(std::uint32_t pointer) {
+    std::vector<std::uint32_t> indices;
+    const Instruction* variable = findGlobal(module_, pointer);
+    while (variable == nullptr) {
+      const auto found = analysis_.graph.node_of.find(pointer);
+      if (found == analysis_.graph.node_of.end()) return std::nullopt;
+      const Instruction& instruction = *analysis_.graph.nodes[static_cast<std::size_t>(found->second)].instruction;
+      if (instruction.opcode != Op::OpAccessChain && instruction.opcode != Op::OpInBoundsAccessChain) return std::nullopt;
+      for (std::size_t i = instruction.operands.size(); i-- > 1;) indices.insert(indices.begin(), instruction.word(i));
+      // Indices were collected innermost first; an outer chain's come before them.
+      pointer = instruction.word(0);
+      variable = findGlobal(module_, pointer);
+    }
+    if (variable->opcode != Op::OpVariable) return std::nullopt;
+    return describe(*variable, indices);
+  }
+
+ private:
+  std::optional<int> describe(const Instruction& variable, const std::vector<std::uint32_t>& indices) {
+    const std::uint32_t id = variable.result_id;
+    switch (static_cast<StorageClass>(variable.word(0))) {
+      case StorageClass::Input:
+        if (const auto built_in = decorationOf(module_, id, spv::Decoration::BuiltIn))
+          return intern({InputKind::kBuiltIn, builtInName(*built_in)});
+        return intern({InputKind::kVarying, orId(nameOf(module_, id), id)});
+      case StorageClass::Uniform:
+      case StorageClass::PushConstant: return intern({InputKind::kUniform, memberName(variable, indices)});
+      case StorageClass::UniformConstant: return intern({InputKind::kTexture, orId(nameOf(module_, id), id)});
+      case StorageClass::StorageBuffer: return intern({InputKind::kBuffer, orId(nameOf(module_, id), id)});
+      default: return std::nullopt;
+    }
+  }
+
+  std::string memberName(const Instruction& variable, const std::vector<std::uint32_t>& indices) {
+    const Instruction* pointer = findGlobal(module_, variable.type_id);
+    const std::uint32_t block = pointer->word(1);
+    std::string name = orId(nameOf(module_, block), variable.result_id);
+    if (indices.empty()) return name;
+    const Instruction* index = findGlobal(module_, indices[0]);
+    if (index == nullptr || index->opcode != Op::OpConstant) return name;
+    return name + "." + memberNameOf(module_, block, index->word(0));
+  }
+
+  static std::string orId(const std::string& name, std::uint32_t id) {
+    return name.empty() ? "%" + std::to_string(id) : name;
+  }
+
+  int intern(const InputSource& source) {
+    const auto found = std::find(analysis_.inputs.begin(), analysis_.inputs.end(), source);
+    if (found != analysis_.inputs.end()) return static_cast<int>(found - analysis_.inputs.begin());
+    analysis_.inputs.push_back(source);
+    return static_cast<int>(analysis_.inputs.size()) - 1;
+  }
+
+  const Module& module_;
+  ShaderAnalysis& analysis_;
+};
+
+void addAll(std::vector<int>& to, const std::vector<int>& from, bool& changed) {
+  std::vector<int> merged;
+  merged.reserve(to.size() + from.size());
+  std::set_union(to.begin(), to.end(), from.begin(), from.end(), std::back_inserter(merged));
+  if (merged.size() == to.size()) return;
+  to = std::move(merged);
+  changed = true;
+}
+
+void propagateInputs(ShaderAnalysis& analysis) {
+  const ValueGraph& graph = analysis.graph;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
+      const Node& node = graph.nodes[i];
+      for (const int needed : node.needs) addAll(analysis.inputs_of[i], analysis.inputs_of[static_cast<std::size_t>(needed)], changed);
+      // A store takes effect only where its block runs; a pure value is the same wherever it is computed.
+      if (node.instruction->opcode != Op::OpStore && node.instruction->result_id != 0) continue;
+      for (const int controller : graph.flow.controllers[static_cast<std::size_t>(node.block)]) {
+        const int branch = graph.terminator_of_block[static_cast<std::size_t>(controller)];
+        addAll(analysis.inputs_of[i], analysis.inputs_of[static_cast<std::size_t>(branch)], changed);
+      }
+    }
+  }
+}
+
+Error refused(const std::string& code, const std::string& message) {
+  return {ErrorKind::kRefused, code, message, {}};
+}
+
+bool usesCapability(const Module& module, std::initializer_list<spv::Capability> wanted) {
+  for (const Instruction& capability : module.capabilities)
+    for (const spv::Capability one : wanted)
+      if (capability.word(0) == static_cast<std::uint32_t>(one)) return true;
+  return false;
+}
+
+std::optional<Error> findRefusal(const PreparedShader& shader, const ShaderAnalysis& analysis) {
+  const Module& module = shader.module;
+  if (usesCapability(module, {spv::Capability::FragmentShaderPixelInterlockEXT,
+                              spv::Capability::FragmentShaderSampleInterlockEXT}))
+    return refused("shader.interlock", "the shader orders fragments by interlock, which a second pass would break");
+  for (std::size_t i = 0; i < analysis.graph.nodes.size(); ++i) {
+    const Instruction& instruction = *analysis.graph.nodes[i].instruction;
+    if (instruction.opcode == Op::OpImageWrite || instruction.opcode == Op::OpCopyMemory ||
+        (instruction.opcode >= Op::OpAtomicLoad && instruction.opcode <= Op::OpAtomicXor))
+      return refused("shader.side_effects", "the shader writes to memory, which a cached pass would drop or repeat");
+    if (instruction.opcode >= Op::OpGroupNonUniformElect && instruction.opcode <= Op::OpGroupNonUniformQuadSwap)
+      return refused("shader.subgroup", "the shader reads its subgroup neighbours, which differ from pass to pass");
+    if (instruction.opcode == Op::OpStore && analysis.graph.nodes[i].root) {
+      std::uint32_t pointer = instruction.word(0);
+      for (auto found = analysis.graph.node_of.find(pointer); found != analysis.graph.node_of.end();
+           found = analysis.graph.node_of.find(pointer))
+        pointer = analysis.graph.nodes[static_cast<std::size_t>(found->second)].instruction->word(0);
+      const Instruction* variable = findGlobal(module, pointer);
+      if (variable == nullptr || variable->opcode != Op::OpVariable ||
+          static_cast<StorageClass>(variable->word(0)) != StorageClass::Output)
+        return refused("shader.side_effects", "the shader writes to memory, which a cached pass would drop or repeat");
+    }
+  }
+  for (const InputSource& input : analysis.inputs)
+    if (input.kind == InputKind::kBuiltIn && (input.name == "SampleId" || input.name == "SamplePosition"))
+      return refused("shader.sample_rate", "the shader runs once per sample; version 1 caches at one sample per pixel");
+  return std::nullopt;
+}
+
+int columnOf(const std::string& text, int line, const std::string& name) {
+  std::size_t start = 0;
+  for (int i = 1; i < line; ++i) {
+    start = text.find('\n', start);
+    if (start == std::string::npos) return 0;
+    ++start;
+  }
+  const std::string source_line = text.substr(start, text.find('\n', start) - start);
+  const auto isWord = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  if (!name.empty())
+    for (std::size_t at = source_line.find(name); at != std::string::npos; at = source_line.find(name, at + 1)) {
+      const bool begins = at == 0 || !isWord(source_line[at - 1]);
+      const std::size_t end = at + name.size();
+      if (begins && (end >= source_line.size() || !isWord(source_line[end]))) return static_cast<int>(at) + 1;
+    }
+  const std::size_t first = source_line.find_first_not_of(" \t");
+  return first == std::string::npos ? 0 : static_cast<int>(first) + 1;
+}
+
+}  // namespace
+
+const char* nameOf(InputKind kind) {
+  constexpr std::array<const char*, 5> kNames = {"varying", "built-in", "uniform", "texture", "buffer"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+ShaderAnalysis analyse(const PreparedShader& shader) {
+  ShaderAnalysis analysis;
+  analysis.graph = buildValueGraph(shader);
+  const ValueGraph& graph = analysis.graph;
+  analysis.inputs_of.resize(graph.nodes.size());
+  InputFinder finder(shader, analysis);
+  for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
+    const Instruction& instruction = *graph.nodes[i].instruction;
+    if (instruction.opcode != Op::OpLoad) continue;
+    if (const auto input = finder.inputOf(instruction.word(0))) analysis.inputs_of[i] = {*input};
+  }
+  propagateInputs(analysis);
+  analysis.live = neededNodes(graph, {});
+  analysis.total_cost = costOf(graph, analysis.live);
+  for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
+    const Op opcode = graph.nodes[i].instruction->opcode;
+    analysis.takes_derivatives |= analysis.live[i] && takesImplicitDerivative(opcode);
+    analysis.discards |= opcode == Op::OpKill || opcode == Op::OpTerminateInvocation || opcode == Op::OpDemoteToHelperInvocation;
+  }
+  analysis.refusal = findRefusal(shader, analysis);
+  return analysis;
+}
+
+Place placeOf(const PreparedShader& shader, std::uint32_t value, const std::vector<SourceFile>& sources) {
+  LineMark line;
+  std::string name;
+  if (const auto named = shader.named.find(value); named != shader.named.end()) {
+    line = named->second.line;
+    name = named->second.name;
+  } else if (const Function* function = findFunction(shader.module, shader.entry_function)) {
+    for (const Block& block : function->blocks)
+      for (const Instruction& instruction : block.instructions)
+        if (instruction.result_id == value) line = instruction.line;
+  }
+  Place place;
+  for (const Instruction& source : shader.module.debug_sources)
+    if (source.opcode == Op::OpString && source.result_id == line.file) place.file = stringOf(source.operands[0]);
+  place.line = static_cast<int>(line.line);
+  place.column = static_cast<int>(line.column);
+  if (place.column == 0 && place.line > 0)
+    for (const SourceFile& source : sources)
+      if (source.path == place.file) place.column = columnOf(source.text, place.line, name);
+  return place;
+}
+
+}  // namespace reprise

@@ -1,0 +1,47 @@
+// What every value of a shader depends on, and what the shader as a whole does that matters to caching.
+//
+// Inputs are what the value changes with: varyings, built-ins, members of uniform blocks and push constants, textures,
+// buffers. They follow data, memory and control dependences through loops to a fixed point.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/analysis/value_graph.h"
+#include "compiler/ir/prepare.h"
+#include "compiler/source/compile.h"
+#include "runtime/base/result.h"
+
+namespace reprise {
+
+enum class InputKind { kVarying, kBuiltIn, kUniform, kTexture, kBuffer };
+const char* nameOf(InputKind kind);  // "varying", "built-in", "uniform", "texture", "buffer"
+
+struct InputSource {
+  InputKind kind = InputKind::kVarying;
+  std::string name;  // "normal", "FragCoord", "Scene.camera_position", "albedo_map"
+  bool operator==(const InputSource&) const = default;
+};
+
+struct ShaderAnalysis {
+  ValueGraph graph;
+  std::vector<InputSource> inputs;
+  std::vector<std::vector<int>> inputs_of;   // by node: ascending indices into `inputs`
+  std::vector<bool> live;                    // by node: needed by the shader as it is
+  double total_cost = 0;                     // of the live nodes
+  bool takes_derivatives = false;            // live implicit-LOD samples or derivatives
+  bool discards = false;
+  // Why no variant of this shader can be made, if so: shader.side_effects, shader.subgroup, shader.interlock,
+  // shader.sample_rate, shader.ray_query.
+  std::optional<Error> refusal;
+};
+
+// The prepared shader must outlive the analysis, which points into it.
+ShaderAnalysis analyse(const PreparedShader& shader);
+
+// Where a value comes from: the place of its assignment if it has a name, else of its instruction. The column, which
+// glslang does not record, is where the name first stands in that line of `sources`, 0 if the file is not among them.
+Place placeOf(const PreparedShader& shader, std::uint32_t value, const std::vector<SourceFile>& sources);
+
+}  // namespace reprise

@@ -1,0 +1,220 @@
+#include "compiler/analysis/value_graph.h"
+
+#include <algorithm>
+
+#include "compiler/analysis/operation_cost.h"
+
+namespace reprise {
+namespace {
+
+using spv::Op;
+
+bool isAccess(Op opcode) { return opcode == Op::OpAccessChain || opcode == Op::OpInBoundsAccessChain; }
+
+// The variable behind a pointer: follows access chains and copies.
+std::uint32_t rootPointer(const ValueGraph& graph, std::uint32_t pointer) {
+  for (auto found = graph.node_of.find(pointer); found != graph.node_of.end(); found = graph.node_of.find(pointer)) {
+    const Instruction& instruction = *graph.nodes[static_cast<std::size_t>(found->second)].instruction;
+    if (!isAccess(instruction.opcode) && instruction.opcode != Op::OpCopyObject) break;
+    pointer = instruction.word(0);
+  }
+  return pointer;
+}
+
+struct TypeShape {
+  const Module& module;
+
+  int components(std::uint32_t type_id) const {
+    const Instruction* type = findGlobal(module, type_id);
+    if (type == nullptr) return 1;
+    if (type->opcode == Op::OpTypeVector) return static_cast<int>(type->word(1));
+    if (type->opcode == Op::OpTypeMatrix) return static_cast<int>(type->word(1)) * components(type->word(0));
+    return 1;
+  }
+};
+
+bool isLocalVariable(const ValueGraph& graph, std::uint32_t variable) {
+  const auto found = graph.node_of.find(variable);
+  return found != graph.node_of.end() &&
+         graph.nodes[static_cast<std::size_t>(found->second)].instruction->opcode == Op::OpVariable;
+}
+
+const Instruction* constantOf(const Module& module, std::uint32_t id) {
+  const Instruction* global = findGlobal(module, id);
+  return global != nullptr && global->opcode == Op::OpConstant ? global : nullptr;
+}
+
+const Instruction* definitionIn(const Function& function, std::uint32_t id) {
+  for (const Block& block : function.blocks)
+    for (const Instruction& instruction : block.instructions)
+      if (instruction.result_id == id) return &instruction;
+  return nullptr;
+}
+
+// How often `compare(i, limit)` holds for i = first, first + step, ...; 0 where that is not clear.
+int countedIterations(Op compare, std::int64_t first, std::int64_t step, std::int64_t limit) {
+  std::int64_t last = limit;
+  switch (compare) {
+    case Op::OpSLessThan:
+    case Op::OpULessThan: last = limit - 1; break;
+    case Op::OpSGreaterThan:
+    case Op::OpUGreaterThan: last = limit + 1; break;
+    case Op::OpSLessThanEqual:
+    case Op::OpULessThanEqual:
+    case Op::OpSGreaterThanEqual:
+    case Op::OpUGreaterThanEqual: break;
+    default: return 0;
+  }
+  if (step == 0 || (step > 0) != (last >= first)) return step != 0 && first == last ? 1 : 0;
+  return static_cast<int>(std::min<std::int64_t>((last - first) / step + 1, 1 << 20));
+}
+
+// Stores to local memory, by variable, for the loads that may see them.
+void connectMemory(ValueGraph& graph) {
+  std::unordered_map<std::uint32_t, std::vector<int>> stores;
+  for (std::size_t i = 0; i < graph.nodes.size(); ++i)
+    if (graph.nodes[i].instruction->opcode == Op::OpStore)
+      stores[rootPointer(graph, graph.nodes[i].instruction->word(0))].push_back(static_cast<int>(i));
+  for (Node& node : graph.nodes) {
+    if (node.instruction->opcode != Op::OpLoad) continue;
+    const auto found = stores.find(rootPointer(graph, node.instruction->word(0)));
+    if (found != stores.end()) node.needs.insert(node.needs.end(), found->second.begin(), found->second.end());
+  }
+}
+
+void connectOperands(ValueGraph& graph) {
+  for (Node& node : graph.nodes) {
+    for (const Operand& operand : node.instruction->operands) {
+      if (!operand.is_id) continue;
+      const auto found = graph.node_of.find(operand.words[0]);
+      if (found != graph.node_of.end()) node.needs.push_back(found->second);
+    }
+    if (node.instruction->opcode == Op::OpPhi) {
+      // Which way the value came from matters, so the branches that lead there are needed.
+      for (std::size_t i = 1; i < node.instruction->operands.size(); i += 2) {
+        const auto from = graph.flow.block_of_label.find(node.instruction->word(i));
+        if (from == graph.flow.block_of_label.end()) continue;
+        const auto block = static_cast<std::size_t>(from->second);
+        if (graph.flow.successors[block].size() > 1) node.needs.push_back(graph.terminator_of_block[block]);
+        for (const int controller : graph.flow.controllers[block])
+          node.needs.push_back(graph.terminator_of_block[static_cast<std::size_t>(controller)]);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+int estimateIterations(const Module& module, const Function& function, const ControlFlow& flow, const Loop& loop) {
+  const Block& header = function.blocks[static_cast<std::size_t>(loop.header)];
+  for (const Instruction& phi : header.instructions) {
+    if (phi.opcode != Op::OpPhi) break;
+    const Instruction* first = nullptr;
+    const Instruction* step = nullptr;
+    Op step_opcode = Op::OpNop;
+    for (std::size_t i = 0; i + 1 < phi.operands.size(); i += 2) {
+      const auto from = flow.block_of_label.find(phi.word(i + 1));
+      if (from == flow.block_of_label.end()) continue;
+      if (!loop.contains[static_cast<std::size_t>(from->second)]) {
+        first = constantOf(module, phi.word(i));
+      } else if (const Instruction* next = definitionIn(function, phi.word(i));
+                 next != nullptr && (next->opcode == Op::OpIAdd || next->opcode == Op::OpISub) &&
+                 next->word(0) == phi.result_id) {
+        step = constantOf(module, next->word(1));
+        step_opcode = next->opcode;
+      }
+    }
+    if (first == nullptr || step == nullptr) continue;
+    const auto step_value = static_cast<std::int32_t>(step->word(0)) * (step_opcode == Op::OpISub ? -1 : 1);
+    for (std::size_t block = 0; block < function.blocks.size(); ++block) {
+      if (!loop.contains[block]) continue;
+      for (const Instruction& compare : function.blocks[block].instructions) {
+        if (compare.operands.size() != 2 || compare.type_id == 0 || compare.word(0) != phi.result_id) continue;
+        const Instruction* limit = compare.operands[1].is_id ? constantOf(module, compare.word(1)) : nullptr;
+        if (limit == nullptr) continue;
+        const int count = countedIterations(compare.opcode, static_cast<std::int32_t>(first->word(0)), step_value,
+                                            static_cast<std::int32_t>(limit->word(0)));
+        if (count > 0) return count;
+      }
+    }
+  }
+  return kUnknownIterations;
+}
+
+ValueGraph buildValueGraph(const PreparedShader& shader) {
+  const Module& module = shader.module;
+  const Function& function = *findFunction(module, shader.entry_function);
+  ValueGraph graph;
+  graph.flow = analyseControlFlow(function);
+  graph.terminator_of_block.assign(function.blocks.size(), kNoNode);
+  graph.nodes_of_block.resize(function.blocks.size());
+  std::vector<double> iterations(function.blocks.size(), 1);
+  std::vector<int> depth(function.blocks.size(), 0);
+  for (const Loop& loop : graph.flow.loops) {
+    const int count = estimateIterations(module, function, graph.flow, loop);
+    for (std::size_t block = 0; block < function.blocks.size(); ++block)
+      if (loop.contains[block]) iterations[block] *= count, ++depth[block];
+  }
+  const auto types = resultTypes(module);
+  const TypeShape shape{module};
+  for (std::size_t block = 0; block < function.blocks.size(); ++block) {
+    if (!graph.flow.reachable[block]) continue;
+    const std::vector<Instruction>& instructions = function.blocks[block].instructions;
+    for (std::size_t index = 0; index < instructions.size(); ++index) {
+      const Instruction& instruction = instructions[index];
+      const int id = static_cast<int>(graph.nodes.size());
+      std::uint32_t shaped = instruction.type_id;
+      if (instruction.opcode == Op::OpDot)
+        if (const auto operand = types.find(instruction.word(0)); operand != types.end()) shaped = operand->second;
+      Node node{static_cast<int>(block), static_cast<int>(index), &instruction, {}, 0, depth[block], false};
+      node.cost = instruction.type_id == 0 ? 0 : operationCost(instruction, shape.components(shaped)) * iterations[block];
+      graph.nodes.push_back(std::move(node));
+      graph.nodes_of_block[block].push_back(id);
+      if (instruction.result_id != 0) graph.node_of[instruction.result_id] = id;
+    }
+    graph.terminator_of_block[block] = static_cast<int>(graph.nodes.size()) - 1;
+  }
+  connectOperands(graph);
+  connectMemory(graph);
+  for (Node& node : graph.nodes)
+    node.root = hasSideEffect(node.instruction->opcode) ||
+                (node.instruction->opcode == Op::OpStore &&
+                 !isLocalVariable(graph, rootPointer(graph, node.instruction->word(0))));
+  return graph;
+}
+
+std::vector<bool> neededNodes(const ValueGraph& graph, const std::vector<int>& from, int cut) {
+  std::vector<bool> needed(graph.nodes.size(), false);
+  std::vector<bool> block_needed(graph.nodes_of_block.size(), false);
+  std::vector<int> work;
+  const auto need = [&](int node) {
+    if (node == cut || node == kNoNode || needed[static_cast<std::size_t>(node)]) return;
+    needed[static_cast<std::size_t>(node)] = true;
+    work.push_back(node);
+  };
+  if (from.empty()) {
+    for (std::size_t i = 0; i < graph.nodes.size(); ++i)
+      if (graph.nodes[i].root) need(static_cast<int>(i));
+  }
+  for (const int node : from) need(node);
+  while (!work.empty()) {
+    const Node& node = graph.nodes[static_cast<std::size_t>(work.back())];
+    work.pop_back();
+    for (const int needed_node : node.needs) need(needed_node);
+    const auto block = static_cast<std::size_t>(node.block);
+    if (block_needed[block]) continue;
+    block_needed[block] = true;
+    for (const int controller : graph.flow.controllers[block])
+      need(graph.terminator_of_block[static_cast<std::size_t>(controller)]);
+  }
+  return needed;
+}
+
+double costOf(const ValueGraph& graph, const std::vector<bool>& nodes) {
+  double cost = 0;
+  for (std::size_t i = 0; i < graph.nodes.size(); ++i)
+    if (nodes[i]) cost += graph.nodes[i].cost;
+  return cost;
+}
+
+}  // namespace reprise

@@ -1,0 +1,22 @@
+// SPIRV-Tools passes through its public API. Only passes that leave every floating-point operation as it is (law 1):
+// neither simplification nor constant propagation is among them, since both may reassociate or refold.
+#pragma once
+
+#include "compiler/ir/module.h"
+
+namespace reprise {
+
+// Functions inlined into the entry point where the language allows, early returns merged where that needs it, structs and
+// arrays of locals split, private variables made local. Names and lines are kept.
+Result<Module> inlineCalls(const Module& module);
+
+// Local variables promoted to SSA values, dead code and dead branches removed, blocks merged.
+Result<Module> promoteToSsa(const Module& module);
+
+// Code that no output, storage write or discard of any entry point needs is removed, with unused globals.
+Result<Module> removeDeadCode(const Module& module);
+
+// Names, lines and sources removed, ids made dense: the form that ships.
+Result<Module> stripForShipping(const Module& module);
+
+}  // namespace reprise

@@ -1,0 +1,143 @@
+#include "compiler/ir/prepare.h"
+
+#include <unordered_set>
+
+#include "compiler/ir/optimize.h"
+
+namespace reprise {
+namespace {
+
+using spv::Op;
+
+// glslang's name for the temporaries that carry arguments; the callee's own name for the parameter follows.
+constexpr const char* kArgumentTemporary = "param";
+
+std::unordered_map<std::uint32_t, std::string> namesById(const Module& module) {
+  std::unordered_map<std::uint32_t, std::string> names;
+  for (const Instruction& name : module.names)
+    if (name.opcode == Op::OpName) names[name.word(0)] = stringOf(name.operands[1]);
+  return names;
+}
+
+std::unordered_set<std::uint32_t> floatTypes(const Module& module) {
+  std::unordered_set<std::uint32_t> types;
+  for (const Instruction& global : module.globals)
+    if (global.opcode == Op::OpTypeFloat ||
+        (global.opcode == Op::OpTypeVector && types.count(global.word(0)) != 0))
+      types.insert(global.result_id);
+  return types;
+}
+
+std::unordered_set<std::uint32_t> variablesOf(const Module& module, const Function& function) {
+  std::unordered_set<std::uint32_t> variables;
+  for (const Instruction& instruction : function.blocks.front().instructions)
+    if (instruction.opcode == Op::OpVariable) variables.insert(instruction.result_id);
+  for (const Instruction& global : module.globals)
+    if (global.opcode == Op::OpVariable && global.word(0) == static_cast<std::uint32_t>(spv::StorageClass::Output))
+      variables.insert(global.result_id);
+  return variables;
+}
+
+Module nameStoredValues(const Module& module, std::uint32_t entry_function) {
+  Module named = module;
+  const auto names = namesById(module);
+  const auto types = resultTypes(module);
+  const auto floats = floatTypes(module);
+  Function& function = *findFunction(named, entry_function);
+  const auto variables = variablesOf(module, function);
+  for (Block& block : function.blocks) {
+    std::vector<Instruction> instructions;
+    for (Instruction& instruction : block.instructions) {
+      const bool stores = instruction.opcode == Op::OpStore && variables.count(instruction.word(0)) != 0;
+      const auto name = stores ? names.find(instruction.word(0)) : names.end();
+      const auto type = stores ? types.find(instruction.word(1)) : types.end();
+      if (name != names.end() && !name->second.empty() && name->second != kArgumentTemporary && type != types.end() &&
+          floats.count(type->second) != 0) {
+        const std::uint32_t copy = named.freshId();
+        instructions.push_back(makeInstruction(Op::OpCopyObject, type->second, copy, {instruction.operands[1]}));
+        instructions.back().line = instruction.line;
+        named.names.push_back(makeInstruction(Op::OpName, 0, 0, {idOperand(copy), stringOperand(name->second)}));
+        instruction.operands[1] = idOperand(copy);
+      }
+      instructions.push_back(std::move(instruction));
+    }
+    block.instructions = std::move(instructions);
+  }
+  return named;
+}
+
+// Folds every OpCopyObject of the entry function and records the names that the copies carried.
+void foldCopies(PreparedShader& shader) {
+  const auto names = namesById(shader.module);
+  Function& function = *findFunction(shader.module, shader.entry_function);
+  std::unordered_map<std::uint32_t, std::uint32_t> source;
+  const auto resolve = [&](std::uint32_t id) {
+    for (auto found = source.find(id); found != source.end(); found = source.find(id)) id = found->second;
+    return id;
+  };
+  for (const Block& block : function.blocks)
+    for (const Instruction& instruction : block.instructions)
+      if (instruction.opcode == Op::OpCopyObject) source[instruction.result_id] = instruction.word(0);
+  for (Block& block : function.blocks) {
+    std::vector<Instruction> kept;
+    for (Instruction& instruction : block.instructions) {
+      if (instruction.opcode == Op::OpCopyObject) {
+        const auto name = names.find(instruction.result_id);
+        if (name != names.end()) shader.named[resolve(instruction.result_id)] = {name->second, instruction.line};
+        continue;
+      }
+      for (Operand& operand : instruction.operands)
+        if (operand.is_id) operand.words[0] = resolve(operand.words[0]);
+      kept.push_back(std::move(instruction));
+    }
+    block.instructions = std::move(kept);
+  }
+  std::erase_if(shader.module.names, [&](const Instruction& name) {
+    return name.opcode == Op::OpName && source.count(name.word(0)) != 0;
+  });
+  std::erase_if(shader.module.annotations, [&](const Instruction& annotation) {
+    return annotation.opcode == Op::OpDecorate && source.count(annotation.word(0)) != 0;
+  });
+}
+
+}  // namespace
+
+std::unordered_map<std::uint32_t, std::uint32_t> resultTypes(const Module& module) {
+  std::unordered_map<std::uint32_t, std::uint32_t> types;
+  for (const Instruction& global : module.globals)
+    if (global.type_id != 0) types[global.result_id] = global.type_id;
+  for (const Function& function : module.functions) {
+    for (const Instruction& parameter : function.parameters) types[parameter.result_id] = parameter.type_id;
+    for (const Block& block : function.blocks)
+      for (const Instruction& instruction : block.instructions)
+        if (instruction.result_id != 0) types[instruction.result_id] = instruction.type_id;
+  }
+  return types;
+}
+
+Result<PreparedShader> prepareForCaching(const Module& module, const std::string& entry_point) {
+  const Instruction* entry = findEntryPoint(module, entry_point);
+  if (entry == nullptr)
+    return Error{ErrorKind::kInput, "spirv.entry_point",
+                 entry_point.empty() ? "the module has " + std::to_string(module.entry_points.size()) +
+                                           " entry points; name one of them"
+                                     : "the module has no entry point '" + entry_point + "'",
+                 {}};
+  const std::uint32_t function_id = entry->word(1);
+  const std::string name = stringOf(entry->operands[2]);
+  REPRISE_ASSIGN(const Module inlined, inlineCalls(module));
+  for (const Function& function : inlined.functions)
+    for (const Block& block : function.blocks)
+      for (const Instruction& instruction : block.instructions)
+        if (instruction.opcode == Op::OpFunctionCall)
+          return Error{ErrorKind::kRefused, "call.kept",
+                       "the function '" + nameOf(inlined, instruction.word(0)) +
+                           "' cannot be inlined, so its values cannot be told apart", {}};
+  REPRISE_ASSIGN(Module promoted, promoteToSsa(nameStoredValues(inlined, function_id)));
+  PreparedShader shader{std::move(promoted), function_id, {}};
+  REPRISE_CHECK(findFunction(shader.module, function_id) != nullptr, name);
+  foldCopies(shader);
+  return shader;
+}
+
+}  // namespace reprise

@@ -1,0 +1,51 @@
+// Candidate x strategy x pattern x filter x encoding -> a recipe with its modules (stage 5).
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "compiler/candidates/enumerate.h"
+#include "compiler/strategies/cache_layout.h"
+#include "compiler/strategies/shader_program.h"
+#include "compiler/strategies/strategy.h"
+#include "runtime/package/package.h"
+#include "runtime/package/recipe.h"
+
+namespace reprise {
+
+struct VariantOptions {
+  std::string strategy = "two_pass";
+  PatternKind pattern = PatternKind::kInterleaved;
+  std::uint32_t block_pixels = 16;   // power of two, 2..256
+  Filter filter = Filter::kBilinear;
+  Encoding encoding = Encoding::kRgba16f;
+  std::uint32_t period_frames = 8;
+  bool instrumented = false;         // the counting copy: resources "kind" and "counts"
+  bool orthographic = false;         // the camera's projection: history depth is z, else w
+  ValueRanges ranges;
+};
+
+// What the application's state allows, by what it sets.
+struct StateLimits {
+  bool strict_depth_with_writes = true;  // LESS or GREATER
+  bool stencil = false;
+};
+
+struct BuiltRecipe {
+  Recipe recipe;
+  std::map<std::string, std::vector<std::uint32_t>> modules;  // stripped, valid; by name
+};
+
+// Errors (kRefused): shader.*, vertex.*, variable.use (see the transforms); state.depth_compare, state.no_stencil; strategy.unknown
+// (kInput). Every module has passed the validator: one that does not is our bug and reported as kRefused
+// rewrite.invalid, so that a run goes on. `candidate` is not looked at by strategies that do not cache.
+Result<BuiltRecipe> buildRecipe(const ShaderProgram& program, const Candidate& candidate, const VariantOptions& options,
+                                const StateLimits& limits);
+
+// A package with this variant and the original beside it.
+Result<Package> buildPackage(const ShaderProgram& program, const Candidate& candidate, const VariantOptions& options,
+                             const StateLimits& limits);
+
+}  // namespace reprise

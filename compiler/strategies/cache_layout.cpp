@@ -1,0 +1,79 @@
+#include "compiler/strategies/cache_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace reprise {
+namespace {
+
+// Stored depth spans [kNearestStored, 1], away from 0, which means "invalid".
+constexpr float kNearestStored = 1.0f / 16;
+constexpr float kHalfStep = 1.0f / 2048;           // spacing of 16-bit floats in [0.5, 1)
+constexpr float kFloatStep = 1.0f / (1 << 20);     // interpolation noise of 32-bit floats, some units in the last place
+constexpr float kRelativeEpsilon = 1e-4f;
+constexpr float kSlopeCap = 0.01f;
+constexpr float kLargestHalf = 65504;
+constexpr float kLargestFloat = 3.0e38f;
+constexpr float kRangeMargin = 0.02f;
+
+}  // namespace
+
+CacheLayout cacheLayout(int channels, Encoding encoding) {
+  CacheLayout layout;
+  switch (encoding) {
+    case Encoding::kRgba8:
+      layout.payload_format = ResourceFormat::kRgba8Unorm;
+      layout.depth_in_alpha = false;
+      layout.affine = true;
+      break;
+    case Encoding::kRgba16f:
+      layout.payload_format = ResourceFormat::kRgba16Sfloat;
+      layout.depth_in_alpha = channels <= 3;
+      break;
+    case Encoding::kRgba32f:
+      layout.payload_format = ResourceFormat::kRgba32Sfloat;
+      layout.depth_in_alpha = channels <= 3;
+      layout.depth_format = ResourceFormat::kR32Sfloat;
+      break;
+  }
+  layout.bytes_per_pixel = bytesPerPixel(layout.payload_format) + (layout.depth_in_alpha ? 0 : bytesPerPixel(layout.depth_format));
+  return layout;
+}
+
+FrameUniforms encodingConstants(const CacheLayout& layout, Encoding encoding, Filter filter, const ValueRanges& ranges) {
+  FrameUniforms constants;
+  const float span = std::max(ranges.depth_far - ranges.depth_near, 1e-6f * std::max(1.0f, std::abs(ranges.depth_far)));
+  constants.depth_range[0] = (1 - kNearestStored) / span;
+  constants.depth_range[1] = kNearestStored - ranges.depth_near * constants.depth_range[0];
+  constants.depth_range[2] = kNearestStored * 0.99f;
+  constants.depth_range[3] = 1.001f;
+  const bool half_depth = layout.depth_in_alpha ? encoding == Encoding::kRgba16f : layout.depth_format == ResourceFormat::kR16Sfloat;
+  constants.tolerance[0] = half_depth ? kHalfStep : kFloatStep;
+  // A nearest fetch is up to half a pixel off in each direction; a filtered one only as far as depth bends over a pixel.
+  constants.tolerance[1] = filter == Filter::kNearest ? 0.75f : 0.5f;
+  constants.tolerance[2] = kRelativeEpsilon;
+  constants.tolerance[3] = kSlopeCap;
+  for (std::size_t channel = 0; channel < 4; ++channel) {
+    constants.payload_scale[channel] = 1;
+    constants.payload_offset[channel] = 0;
+  }
+  const float largest = encoding == Encoding::kRgba16f ? kLargestHalf : kLargestFloat;
+  constants.payload_range[0] = -largest;
+  constants.payload_range[1] = largest;
+  if (layout.affine) {
+    for (std::size_t channel = 0; channel < 4; ++channel) {
+      float low = ranges.payload_min[channel], high = ranges.payload_max[channel];
+      if (!(high > low)) low = 0, high = 1;
+      const float margin = (high - low) * kRangeMargin;
+      constants.payload_scale[channel] = 1 / (high - low + 2 * margin);
+      constants.payload_offset[channel] = -(low - margin) * constants.payload_scale[channel];
+    }
+    constants.payload_range[0] = 0;
+    constants.payload_range[1] = 1;
+  }
+  for (std::size_t channel = 0; channel < 4; ++channel)
+    constants.free_payload[channel] = (ranges.payload_min[channel] + ranges.payload_max[channel]) / 2;
+  return constants;
+}
+
+}  // namespace reprise

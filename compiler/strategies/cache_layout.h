@@ -1,0 +1,33 @@
+// Where payload and depth of a candidate lie in history images, and the constants that encode them.
+//
+// Depth goes into the payload's spare alpha where that is a float channel; beside 8-bit payloads and four-channel ones
+// it has an image of its own, since 8 bits of depth confuse surfaces (law 10).
+#pragma once
+
+#include <array>
+
+#include "runtime/package/recipe.h"
+
+namespace reprise {
+
+struct ValueRanges {
+  float depth_near = 0.1f, depth_far = 100;  // view-linear depth that can occur
+  // Payload as seen in training, by channel; used by rgba8 alone. min == max: unknown, taken as [0, 1].
+  std::array<float, 4> payload_min = {}, payload_max = {};
+};
+
+struct CacheLayout {
+  ResourceFormat payload_format = ResourceFormat::kRgba16Sfloat;
+  bool depth_in_alpha = true;
+  ResourceFormat depth_format = ResourceFormat::kR16Sfloat;  // where not in alpha
+  bool affine = false;                                       // payload is scaled into [0, 1]
+  int bytes_per_pixel = 8;                                   // of one history; two are held
+};
+
+CacheLayout cacheLayout(int channels, Encoding encoding);
+
+// depth_range, tolerance, payload_scale, payload_offset and payload_range of the frame's uniforms. The tolerance is
+// quantization step + slope x footprint + relative epsilon, in stored units.
+FrameUniforms encodingConstants(const CacheLayout& layout, Encoding encoding, Filter filter, const ValueRanges& ranges);
+
+}  // namespace reprise

@@ -1,0 +1,11 @@
+# cmake -DOUTPUT=embedded_glsl.h -DFILES="a;b" -P embed_glsl.cmake writes the files as raw string literals.
+set(text "// Made by compiler/strategies/embed_glsl.cmake.\n#pragma once\n\nnamespace reprise {\n\n")
+string(APPEND text "struct EmbeddedGlsl {\n  const char* name;\n  const char* text;\n};\n\n")
+string(APPEND text "inline constexpr EmbeddedGlsl kEmbeddedGlsl[] = {\n")
+foreach(file IN LISTS FILES)
+  get_filename_component(name "${file}" NAME)
+  file(READ "${file}" content)
+  string(APPEND text "    {\"${name}\", R\"glsl(${content})glsl\"},\n")
+endforeach()
+string(APPEND text "};\n\n}  // namespace reprise\n")
+file(WRITE "${OUTPUT}" "${text}")

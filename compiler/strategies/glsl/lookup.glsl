@@ -1,0 +1,55 @@
+// The lookup: reproject, test visibility, fetch (Nehab et al. 2007, sections 3.1-3.3).
+//
+// Where the fragment's surface point was in the last frame comes from the vertex side as (x, y, w) of its clip position, or
+// (x, y, z) for orthographic cameras. The history is filtered by the sampler in unnormalized coordinates, payload and depth
+// alike: a footprint across a depth edge gives a depth that matches no surface, hence a miss.
+layout(location = PREVIOUS_LOCATION) in vec3 reprise_previous;
+layout(set = REPRISE_SET, binding = 2) uniform sampler2D reprise_history;
+#if !DEPTH_IN_ALPHA
+layout(set = REPRISE_SET, binding = 3) uniform sampler2D reprise_history_depth;
+#endif
+
+bool repriseLookup(out vec4 payload) {
+  float depth = reprise_previous.z;
+#if ORTHOGRAPHIC
+  vec2 clip = reprise_previous.xy;
+#else
+  vec2 clip = reprise_previous.xy / depth;
+#endif
+  vec4 viewport = reprise.previous_viewport;
+  vec2 at = (clip * 0.5 + 0.5) * viewport.zw + viewport.xy;
+  // A point that did not move must fetch its own texel and no other (frozen world, no error).
+  vec2 centre = floor(at) + 0.5;
+  vec2 off = abs(at - centre);
+  at = max(off.x, off.y) < 1.0 / 512.0 ? centre : at;
+  vec2 low = min(viewport.xy, viewport.xy + viewport.zw);
+  vec2 high = max(viewport.xy, viewport.xy + viewport.zw);
+
+  float expected = repriseStoredDepth(depth);
+  float slope = min((abs(dFdx(expected)) + abs(dFdy(expected))) * reprise.tolerance.y, reprise.tolerance.w);
+  float tolerance = reprise.tolerance.x + slope + reprise.tolerance.z * expected;
+
+  vec4 texel = textureLod(reprise_history, at, 0.0);
+#if DEPTH_IN_ALPHA
+  float stored = texel.a;
+#else
+  float stored = textureLod(reprise_history_depth, at, 0.0).r;
+#endif
+  payload = repriseDecode(texel);
+  bool hit = reprise.history_valid != 0u && !repriseDue() && at.x >= low.x && at.y >= low.y && at.x < high.x &&
+             at.y < high.y && abs(stored - expected) <= tolerance;
+#if !ORTHOGRAPHIC
+  hit = hit && depth > 0.0;
+#endif
+#if KEEP_RAW
+  hit = hit && repriseStorable(texel);
+#endif
+#if QUAD_UNIFORM
+  // One miss makes the quad miss, so that implicit derivatives see four lanes of one path; helper lanes have no vote.
+  float miss = hit || gl_HelperInvocation ? 0.0 : 1.0;
+  miss = min(miss + abs(dFdxFine(miss)), 1.0);
+  miss = min(miss + abs(dFdyFine(miss)), 1.0);
+  hit = miss == 0.0;
+#endif
+  return hit;
+}

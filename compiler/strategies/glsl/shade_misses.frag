@@ -1,0 +1,13 @@
+// Of several passes, the one that shades what the hits left: the whole shader, or its slice where colours are hidden.
+#include "frame_uniforms.glsl"
+#include "cache.glsl"
+#include "body.glsl"
+#include "count.glsl"
+
+void main() {
+  reprise_payload_valid = false;
+  reprise_payload = vec4(0.0);
+  reprise_miss();
+  repriseStore(reprise_payload, reprise_payload_valid);
+  repriseCount(false);
+}

@@ -1,0 +1,16 @@
+// The makers of the strategies, one in each .cpp of this folder.
+#pragma once
+
+#include "compiler/strategies/strategy.h"
+
+namespace reprise {
+
+Strategy makeBranchStrategy();
+Strategy makeTwoPassStrategy();
+Strategy makeTwoPassStencilStrategy();
+Strategy makeThreePassStrategy();
+Strategy makeOriginalStrategy();
+Strategy makeOriginalPrepassStrategy();
+Strategy makeTailOnlyStrategy();
+
+}  // namespace reprise

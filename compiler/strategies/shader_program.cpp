@@ -1,0 +1,27 @@
+#include "compiler/strategies/shader_program.h"
+
+#include "compiler/ir/optimize.h"
+#include "compiler/source/reflect.h"
+#include "runtime/base/file.h"
+#include "runtime/base/hash.h"
+
+namespace reprise {
+
+Result<ShaderProgram> readProgram(const CompiledShader& vertex, const CompiledShader& fragment) {
+  ShaderProgram program;
+  program.vertex_words = vertex.words;
+  program.fragment_words = fragment.words;
+  REPRISE_ASSIGN(program.interface, reflectInterface(vertex.words, fragment.words));
+  REPRISE_ASSIGN(const Module vertex_module, readModule(vertex.words));
+  REPRISE_ASSIGN(program.vertex, inlineCalls(vertex_module));
+  REPRISE_ASSIGN(const Module fragment_module, readModule(fragment.words));
+  REPRISE_ASSIGN(PreparedShader prepared, prepareForCaching(fragment_module, ""));
+  program.fragment = std::make_shared<const PreparedShader>(std::move(prepared));
+  program.analysis = analyse(*program.fragment);
+  program.interface.discards = program.analysis.discards;
+  program.sources = fragment.sources;
+  program.hash = contentHash(std::string(bytesOf(vertex.words)) + std::string(bytesOf(fragment.words)));
+  return program;
+}
+
+}  // namespace reprise

@@ -1,0 +1,56 @@
+// A strategy: how hits and misses are scheduled over the passes of a frame, as data. buildRecipe (build_recipe.h) turns
+// it into a recipe; nothing else in the project knows one strategy from another.
+//
+// A new strategy is one .cpp that describes its passes and one line in registry.cpp; the tests of the laws run over the
+// registry.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "runtime/package/recipe.h"
+
+namespace reprise {
+
+// Which body of the user's shader a pass's frame calls.
+struct Bodies {
+  bool hit = false;          // the shader with the payload given
+  bool miss = false;         // the whole shader, handing the payload out
+  bool colors = true;        // false: colour outputs are hidden, and what only they need is removed
+};
+
+enum class FragmentSource { kFrame, kOriginal, kNone };
+
+struct PassPlan {
+  std::string name;
+  int rendering = 0;
+  FragmentSource source = FragmentSource::kFrame;
+  std::string frame;           // "branch.frag" of compiler/strategies/glsl
+  Bodies bodies;
+  bool app_targets = true;     // the application's colour targets are attached
+  bool writes_cache = true;    // this frame's history is attached
+  bool reads_history = false;  // last frame's history
+  bool reads_current = false;  // this frame's, written by an earlier rendering
+  bool depth_clear = true;
+  DepthUse depth = DepthUse::kAsApp;
+  StencilUse stencil = StencilUse::kNone;
+  bool only_if_discards = false;  // fragment code is needed only where the shader discards or writes depth: else depth only
+};
+
+struct Strategy {
+  std::string name;
+  std::string description;          // one sentence
+  bool selectable = true;           // false: a reference (original, limit), never a choice
+  bool caches = true;               // false: has no payload
+  bool rejects_by_depth = false;    // needs a strict depth comparison with writes
+  bool needs_stencil = false;
+  bool keeps_raw_payload = false;   // a later pass of the frame reads the payload back
+  std::vector<PassPlan> passes;
+};
+
+// Explicit table: branch, two_pass, two_pass_stencil, three_pass, and the references original, original_prepass, tail_only.
+std::span<const Strategy> strategies();
+const Strategy* findStrategy(const std::string& name);
+
+}  // namespace reprise

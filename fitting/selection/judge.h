@@ -1,0 +1,31 @@
+// Law 7, selection keeps its word: a variant is accepted only if its measured validation error is within the threshold and it is
+// faster than the original beyond the noise, by the binding clock and by wall time.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "fitting/solve/paired_ratio.h"
+
+namespace reprise {
+
+struct ValidationResult {
+  double measured_error = 0;           // of the binding metric, over all validation sessions
+  std::uint64_t nonfinite_pixels = 0;  // of the variant where the original is finite
+  PairedRatio binding;                 // against the faster of the original and the original with a depth prepass
+  PairedRatio wall;                    // the same pairs by wall time
+  std::string clock;                   // name of the binding clock, for the reason
+};
+
+struct Judgement {
+  bool accepted = false;
+  std::string code;    // "judge.accepted", "judge.error", "judge.nonfinite", "judge.not_faster", "judge.wall_not_faster",
+                       // "judge.unmeasured"
+  std::string reason;  // one sentence with the numbers
+};
+
+// Accepted: error ≤ threshold (the threshold itself, no margin), no pixel made non-finite, and the low ends of both 95% intervals
+// above 1. What was not measured (NaN, no pairs) is never accepted.
+Judgement judge(const ValidationResult& result, double threshold);
+
+}  // namespace reprise

@@ -1,0 +1,234 @@
+#include <algorithm>
+
+#include "profiler/scenario/diagnostics.h"
+#include "profiler/scenario/names.h"
+#include "profiler/scenario/near_names.h"
+#include "profiler/scenario/read_scenario.h"
+#include "profiler/scenario/track_size.h"
+
+namespace reprise {
+namespace {
+
+struct Member {
+  std::string name;  // "Block.member"
+  BlockMember shape;
+};
+
+std::vector<Member> membersOf(const ShaderInterface& interface) {
+  std::vector<Member> members;
+  for (const Descriptor& descriptor : interface.descriptors) {
+    if (descriptor.kind != DescriptorKind::kUniformBlock) continue;
+    for (const BlockMember& member : descriptor.members)
+      members.push_back({descriptor.name + "." + member.name, member});
+  }
+  for (const BlockMember& member : interface.push_constant_members)
+    members.push_back({interface.push_constant_name + "." + member.name, member});
+  return members;
+}
+
+std::string shapeText(const BlockMember& member) {
+  const std::string scalar = member.scalar == ScalarKind::kFloat ? "float"
+                             : member.scalar == ScalarKind::kInt ? "int"
+                                                                 : "uint";
+  const std::string prefix = member.scalar == ScalarKind::kFloat ? ""
+                             : member.scalar == ScalarKind::kInt ? "i"
+                                                                 : "u";
+  std::string text = scalar;
+  if (member.columns > 1)
+    text = "mat" + std::to_string(member.columns) + "x" + std::to_string(member.rows);
+  else if (member.rows > 1)
+    text = prefix + "vec" + std::to_string(member.rows);
+  return member.array_length > 0 ? text + "[" + std::to_string(member.array_length) + "]" : text;
+}
+
+std::size_t floatsOf(const BlockMember& member) {
+  return static_cast<std::size_t>(member.rows) * static_cast<std::size_t>(member.columns) *
+         std::max(1u, member.array_length);
+}
+
+// Which members a semantic source can fill, in words; empty if this one can be.
+std::string semanticMismatch(Semantic semantic, const BlockMember& member) {
+  const bool is_float = member.scalar == ScalarKind::kFloat, single = member.array_length == 0;
+  const bool vector = is_float && single && member.columns == 1,
+             matrix = is_float && single && member.columns > 1;
+  switch (semantic) {
+    case Semantic::kView:
+    case Semantic::kProjection:
+    case Semantic::kViewProjection:
+      return matrix && member.rows == 4 && member.columns == 4 ? "" : "a mat4";
+    case Semantic::kModel:
+      return matrix && member.rows >= 3 && member.columns == 4 ? "" : "a mat4 or mat4x3";
+    case Semantic::kNormalMatrix:
+      return matrix && member.rows >= 3 && member.columns >= 3 ? "" : "a mat3, mat3x4 or mat4";
+    case Semantic::kCameraPosition:
+      return vector && member.rows >= 3 ? "" : "a vec3 or vec4";
+    case Semantic::kTime:
+      return vector && member.rows == 1 ? "" : "a float";
+    case Semantic::kFrame:
+      return single && member.columns == 1 && member.rows == 1 ? "" : "an int, uint or float";
+    case Semantic::kResolution:
+      return single && member.columns == 1 && (member.rows == 2 || member.rows == 4)
+                 ? ""
+                 : "a vec2, or a vec4 that takes the inverse, too";
+  }
+  return "";
+}
+
+void checkTrack(const Track& track, const Member& member, const std::string& what, Diagnostics& diagnostics,
+                const Place& place) {
+  if (trackSize(track) == floatsOf(member.shape)) return;
+  diagnostics.add("value",
+                  what + " yields " + std::to_string(trackSize(track)) + " numbers, expected " +
+                      std::to_string(floatsOf(member.shape)) + " for " + shapeText(member.shape),
+                  place);
+}
+
+void checkUniforms(const Scenario& scenario, const ShaderInterface& interface, Diagnostics& diagnostics) {
+  const std::vector<Member> members = membersOf(interface);
+  std::vector<std::string> names;
+  for (const Member& member : members) names.push_back(member.name);
+  for (const UniformBinding& binding : scenario.uniforms) {
+    bool found = false;
+    for (const Member& member : members) {
+      if (member.name != binding.member) continue;
+      found = true;
+      const std::string what = "uniform '" + binding.member + "'";
+      if (const auto* track = std::get_if<Track>(&binding.source)) {
+        checkTrack(*track, member, what, diagnostics, binding.place);
+      } else if (const std::string wanted =
+                     semanticMismatch(std::get<Semantic>(binding.source), member.shape);
+                 !wanted.empty()) {
+        diagnostics.add("value",
+                        what + " is " + shapeText(member.shape) + ", but '" +
+                            spellingOf(kSemantics, std::get<Semantic>(binding.source)) + "' fills " + wanted,
+                        binding.place);
+      }
+      for (const SessionSpec& session : scenario.sessions) {
+        const auto track = session.uniforms.find(binding.member);
+        if (track != session.uniforms.end())
+          checkTrack(track->second, member, what + " in session '" + session.name + "'", diagnostics,
+                     binding.place);
+      }
+    }
+    if (!found) {
+      diagnostics.add(
+          "unknown_uniform",
+          "the shaders have no uniform '" + binding.member + "'" + suggestNames(binding.member, names),
+          binding.place);
+    }
+  }
+  for (const std::string& name : names) {
+    const bool bound = std::any_of(scenario.uniforms.begin(), scenario.uniforms.end(),
+                                   [&](const UniformBinding& binding) { return binding.member == name; });
+    if (!bound) {
+      diagnostics.add(
+          "unbound",
+          "nobody binds the uniform '" + name + "', expected a line \"" + name + "\" = ... in [uniforms]",
+          scenario.uniforms_place);
+    }
+  }
+}
+
+const char* unsupportedReason(const Descriptor& descriptor) {
+  switch (descriptor.kind) {
+    case DescriptorKind::kStorageBlock:
+      return "is a storage buffer";
+    case DescriptorKind::kStorageImage:
+      return "is a storage image";
+    case DescriptorKind::kSampledImage:
+    case DescriptorKind::kSampler:
+      return "is an image or sampler of its own, expected a combined sampler2D";
+    case DescriptorKind::kUniformBlock:
+      return descriptor.count == 1 ? nullptr : "is an array of uniform blocks";
+    case DescriptorKind::kCombinedImageSampler:
+      if (descriptor.dimension != ImageDimension::k2D) return "is not a sampler2D";
+      return descriptor.count == 1 ? nullptr : "is an array of samplers";
+  }
+  return nullptr;
+}
+
+void checkTextures(const Scenario& scenario, const ShaderInterface& interface, Diagnostics& diagnostics) {
+  std::vector<std::string> names;
+  for (const Descriptor& descriptor : interface.descriptors) {
+    if (const char* reason = unsupportedReason(descriptor)) {
+      diagnostics.add("unsupported",
+                      "'" + descriptor.name + "' " + reason + ", which a scenario cannot fill yet",
+                      {scenario.fragment_path, 0, 0});
+    } else if (descriptor.kind == DescriptorKind::kCombinedImageSampler) {
+      names.push_back(descriptor.name);
+    }
+  }
+  for (const TextureSpec& texture : scenario.textures) {
+    if (std::find(names.begin(), names.end(), texture.name) != names.end()) continue;
+    diagnostics.add("unknown_texture",
+                    "the shaders have no texture '" + texture.name + "'" + suggestNames(texture.name, names),
+                    texture.place);
+  }
+  for (const std::string& name : names) {
+    const bool given = std::any_of(scenario.textures.begin(), scenario.textures.end(),
+                                   [&](const TextureSpec& texture) { return texture.name == name; });
+    if (!given) {
+      diagnostics.add("unbound",
+                      "nobody gives the texture '" + name + "', expected a [[texture]] with that name",
+                      {scenario.path, 0, 0});
+    }
+  }
+}
+
+void checkVertexInputs(const Scenario& scenario, const ShaderInterface& interface, Diagnostics& diagnostics) {
+  const std::vector<std::string> known = {"position", "normal", "tangent", "uv", "color"};
+  for (const VertexInput& input : interface.vertex_inputs) {
+    const Place place = {scenario.vertex_path, 0, 0};
+    if (std::find(known.begin(), known.end(), input.name) == known.end()) {
+      diagnostics.add(
+          "vertex_input",
+          "the meshes have no vertex input '" + input.name + "'" + suggestNames(input.name, known) +
+              (nearNames(input.name, known).empty() ? ""
+                                                    : " (there are position, normal, tangent, uv, color)"),
+          place);
+    } else if (input.scalar != ScalarKind::kFloat) {
+      diagnostics.add("vertex_input",
+                      "the vertex input '" + input.name + "' has integers, but the meshes have floats",
+                      place);
+    }
+  }
+}
+
+void checkOutputs(const Scenario& scenario, const ShaderInterface& interface, Diagnostics& diagnostics) {
+  const Place place = {scenario.fragment_path, 0, 0};
+  const std::size_t formats = scenario.state.color_formats.size();
+  if (formats != 0 && formats != interface.outputs.size()) {
+    diagnostics.add("outputs",
+                    "the fragment shader has " + std::to_string(interface.outputs.size()) +
+                        " colour outputs, but 'formats' in [render] has " + std::to_string(formats),
+                    {scenario.path, 0, 0});
+  }
+  if (interface.outputs.empty())
+    diagnostics.add("outputs", "the fragment shader has no colour output, expected one", place);
+  for (std::size_t i = 0; i < interface.outputs.size(); ++i) {
+    const FragmentOutput& output = interface.outputs[i];
+    if (output.location != i) {
+      diagnostics.add("unsupported",
+                      "the output '" + output.name + "' has location " + std::to_string(output.location) +
+                          ", expected locations from 0 without a gap",
+                      place);
+    } else if (output.scalar != ScalarKind::kFloat) {
+      diagnostics.add("unsupported", "the output '" + output.name + "' has integers, expected floats", place);
+    }
+  }
+}
+
+}  // namespace
+
+Result<void> checkBindings(const Scenario& scenario, const ShaderInterface& interface) {
+  Diagnostics diagnostics;
+  // In this order: what is misspelled in the scenario comes before what is missing for that reason.
+  checkUniforms(scenario, interface, diagnostics);
+  checkTextures(scenario, interface, diagnostics);
+  checkVertexInputs(scenario, interface, diagnostics);
+  checkOutputs(scenario, interface, diagnostics);
+  if (diagnostics.errors.empty()) return {};
+  return mergeErrors(diagnostics);
+}
+
+}  // namespace reprise

@@ -1,0 +1,24 @@
+// The mistakes found in a scenario: all of them, so that the user need not run once a mistake.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "runtime/base/result.h"
+
+namespace reprise {
+
+struct Diagnostics {
+  std::vector<Error> errors;
+
+  // Adds a kInput error; a code is "scenario." and `kind`.
+  void add(const std::string& kind, const std::string& message, const Place& place);
+};
+
+// By line and column; what has no line comes last.
+void sortByPlace(Diagnostics& diagnostics);
+
+// The first error; the others follow in its message, one a line. There must be one.
+Error mergeErrors(const Diagnostics& diagnostics);
+
+}  // namespace reprise

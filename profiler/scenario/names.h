@@ -1,0 +1,72 @@
+// How the choices of a scenario are spelled in TOML; one table each, for reading and for writing.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "profiler/scenario/scenario.h"
+
+namespace reprise {
+
+template <typename T>
+struct NamedValue {
+  const char* name;
+  T value;
+};
+
+inline constexpr NamedValue<MeshKind> kMeshKinds[] = {{"sphere", MeshKind::kSphere},
+                                                      {"torus_knot", MeshKind::kTorusKnot},
+                                                      {"plane", MeshKind::kPlane},
+                                                      {"terrain", MeshKind::kTerrain},
+                                                      {"revolution", MeshKind::kRevolution}};
+
+inline constexpr NamedValue<Semantic> kSemantics[] = {{"view", Semantic::kView},
+                                                      {"projection", Semantic::kProjection},
+                                                      {"view_projection", Semantic::kViewProjection},
+                                                      {"model", Semantic::kModel},
+                                                      {"normal_matrix", Semantic::kNormalMatrix},
+                                                      {"camera_position", Semantic::kCameraPosition},
+                                                      {"time", Semantic::kTime},
+                                                      {"frame", Semantic::kFrame},
+                                                      {"resolution", Semantic::kResolution}};
+
+inline constexpr NamedValue<TextureKind> kTextureKinds[] = {{"file", TextureKind::kFile},
+                                                            {"checker", TextureKind::kChecker},
+                                                            {"noise", TextureKind::kNoise},
+                                                            {"gradient", TextureKind::kGradient},
+                                                            {"sky", TextureKind::kSky}};
+
+inline constexpr NamedValue<CullMode> kCullModes[] = {
+    {"none", CullMode::kNone}, {"back", CullMode::kBack}, {"front", CullMode::kFront}};
+
+inline constexpr NamedValue<DepthCompare> kDepthCompares[] = {
+    {"less", DepthCompare::kLess},
+    {"less_or_equal", DepthCompare::kLessOrEqual},
+    {"greater", DepthCompare::kGreater},
+    {"greater_or_equal", DepthCompare::kGreaterOrEqual}};
+
+inline constexpr NamedValue<SessionRole> kSessionRoles[] = {{"training", SessionRole::kTraining},
+                                                            {"validation", SessionRole::kValidation}};
+
+inline constexpr NamedValue<ToneMap> kToneMaps[] = {
+    {"none", ToneMap::kNone}, {"reinhard", ToneMap::kReinhard}, {"aces", ToneMap::kAces}};
+
+inline constexpr const char* kColorFormats[] = {"rgba8_unorm", "rgba16_sfloat", "rgba32_sfloat"};
+
+// Limits that keep a slip of the finger from eating the machine's memory or the day.
+inline constexpr int kMaxResolution = 8192;
+inline constexpr int kMaxFrames = 100000;
+inline constexpr int kMaxSegments = 2048;
+inline constexpr int kMaxTextureSize = 8192;
+inline constexpr int kMaxTrackValues = 256;
+inline constexpr int kMaxEntries = 1024;  // objects, textures, sessions, key frames, profile points
+
+template <typename T, std::size_t N>
+const char* spellingOf(const NamedValue<T> (&table)[N], T value) {
+  for (const NamedValue<T>& named : table) {
+    if (named.value == value) return named.name;
+  }
+  return table[0].name;
+}
+
+}  // namespace reprise

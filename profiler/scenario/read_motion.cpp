@@ -1,0 +1,191 @@
+#include "profiler/scenario/read_motion.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace reprise {
+namespace {
+
+void readTrackAt(TableReader& reader, const std::string& key, Track& track, Need need = Need::kOptional) {
+  const Node* node = reader.find(key, need);
+  if (!node) return;
+  const std::string what = "'" + key + "' of " + reader.what();
+  if (std::optional<Track> read = readTrack(*node, what, 3, reader.diagnostics())) track = *read;
+}
+
+// One number stands for the same scale along all axes.
+void readScale(TableReader& reader, Track& scale) {
+  const Node* node = reader.find("scale");
+  if (!node || !node->isNumber()) return readTrackAt(reader, "scale", scale);
+  float factor = 1;
+  reader.readNumber("scale", factor, kPositive);
+  scale = FixedTrack{{factor, factor, factor}};
+}
+
+void readDirection(TableReader& reader, const std::string& key, std::array<float, 3>& direction) {
+  reader.readNumbers(key, direction);
+  if (std::hypot(direction[0], direction[1], direction[2]) > 1e-6f) return;
+  reader.diagnostics().add("value",
+                           "'" + key + "' of " + reader.what() + " has no length, expected a direction",
+                           reader.find(key)->place);
+}
+
+OrbitPath readOrbit(const Node& node, const std::string& what, Diagnostics& diagnostics) {
+  OrbitPath orbit;
+  TableReader reader(node, "'orbit' of " + what, diagnostics);
+  reader.readNumbers("target", orbit.target);
+  reader.readNumber("radius", orbit.radius, kPositive);
+  reader.readNumber("height", orbit.height);
+  reader.readNumber("start_rad", orbit.start_rad);
+  reader.readNumber("radians_per_frame", orbit.radians_per_frame);
+  reader.finish();
+  return orbit;
+}
+
+CameraPath readCameraPath(TableReader& reader) {
+  if (const Node* orbit = reader.find("orbit")) {
+    for (const char* key : {"eye", "target"}) {
+      if (!reader.has(key)) continue;
+      reader.diagnostics().add("value",
+                               reader.what() + " has 'orbit' and '" + key +
+                                   "', expected either 'orbit' or 'eye' " + "and 'target'",
+                               reader.find(key)->place);
+    }
+    return readOrbit(*orbit, reader.what(), reader.diagnostics());
+  }
+  TrackPath path{FixedTrack{{0, 0, 4}}, FixedTrack{{0, 0, 0}}};
+  if (!reader.has("eye")) {
+    reader.find("eye");
+    if (reader.table().kind == NodeKind::kTable) {
+      reader.diagnostics().add("missing_key", reader.what() + " needs 'orbit', or 'eye' and 'target'",
+                               reader.table().place);
+    }
+  }
+  readTrackAt(reader, "eye", path.eye);
+  readTrackAt(reader, "target", path.target);
+  return path;
+}
+
+}  // namespace
+
+Motion readMotion(const Node& node, const std::string& what, Diagnostics& diagnostics) {
+  Motion motion;
+  TableReader reader(node, what, diagnostics);
+  readTrackAt(reader, "translate", motion.translate);
+  readTrackAt(reader, "rotate_deg", motion.rotate_deg);
+  readScale(reader, motion.scale);
+  readDirection(reader, "spin_axis", motion.spin_axis);
+  reader.readNumber("spin_rad_per_frame", motion.spin_rad_per_frame);
+  reader.finish();
+  return motion;
+}
+
+Camera readCamera(const Node& node, const std::string& what, Diagnostics& diagnostics) {
+  Camera camera;
+  TableReader reader(node, what, diagnostics);
+  camera.path = readCameraPath(reader);
+  readDirection(reader, "up", camera.up);
+  reader.readBoolean("orthographic", camera.orthographic);
+  if (camera.orthographic) {
+    reader.readNumber("ortho_height", camera.ortho_height, kPositive);
+  } else {
+    reader.readNumber("fov_y_deg", camera.fov_y_deg, {0, 170, true});
+  }
+  reader.readNumber("near", camera.near_plane, camera.orthographic ? kAnyNumber : kPositive);
+  reader.readNumber("far", camera.far_plane, camera.orthographic ? kAnyNumber : kPositive);
+  reader.readBoolean("reverse_z", camera.reverse_z);
+  if (camera.far_plane <= camera.near_plane) {
+    diagnostics.add("value",
+                    "'far' of " + what + " does not lie behind 'near': " + std::to_string(camera.far_plane) +
+                        " and " + std::to_string(camera.near_plane),
+                    node.place);
+  }
+  reader.finish();
+  return camera;
+}
+
+namespace {
+
+void readProfile(TableReader& reader, std::vector<std::array<float, 2>>& profile) {
+  const Node* node = reader.find("profile", Need::kRequired);
+  if (!node) return;
+  const std::string what = "'profile' of " + reader.what();
+  if (node->kind != NodeKind::kArray || node->elements.size() < 2 || node->elements.size() > kMaxEntries) {
+    reader.diagnostics().add("type",
+                             what + " is " + describeNode(*node) +
+                                 ", expected an array of at least 2 points [radius, y] from bottom to top",
+                             node->place);
+    return;
+  }
+  for (const Node& point : node->elements) {
+    std::array<float, 2> values = {0, 0};
+    if (point.kind != NodeKind::kArray || point.elements.size() != 2) {
+      reader.diagnostics().add("type",
+                               "a point of " + what + " is " + describeNode(point) + ", expected [radius, y]",
+                               point.place);
+      continue;
+    }
+    numberOf(point.elements[0], "a radius of " + what, kNotNegative, values[0], reader.diagnostics());
+    numberOf(point.elements[1], "a height of " + what, kAnyNumber, values[1], reader.diagnostics());
+    if (!profile.empty() && values == profile.back()) {
+      reader.diagnostics().add("value", what + " has the same point twice in a row", point.place);
+    }
+    profile.push_back(values);
+  }
+}
+
+void readShape(TableReader& reader, MeshSpec& mesh) {
+  switch (mesh.kind) {
+    case MeshKind::kSphere:
+      reader.readNumber("radius", mesh.radius, kPositive);
+      break;
+    case MeshKind::kTorusKnot:
+      reader.readNumber("radius", mesh.radius, kPositive);
+      reader.readNumber("tube_radius", mesh.tube_radius, kPositive);
+      reader.readInteger("p", mesh.p, {1, 64});
+      reader.readInteger("q", mesh.q, {1, 64});
+      if (std::gcd(mesh.p, mesh.q) != 1) {
+        reader.diagnostics().add("value",
+                                 "'p' and 'q' of " + reader.what() + " are " + std::to_string(mesh.p) +
+                                     " and " + std::to_string(mesh.q) +
+                                     ", expected numbers without a common divisor",
+                                 reader.table().place);
+      }
+      break;
+    case MeshKind::kPlane:
+      reader.readNumber("size", mesh.size, kPositive);
+      break;
+    case MeshKind::kTerrain:
+      reader.readNumber("size", mesh.size, kPositive);
+      reader.readNumber("height", mesh.height, kNotNegative);
+      reader.readUnsigned("seed", mesh.seed);
+      break;
+    case MeshKind::kRevolution:
+      readProfile(reader, mesh.profile);
+      break;
+  }
+}
+
+}  // namespace
+
+MeshSpec readMesh(const Node& node, const std::string& what, Diagnostics& diagnostics) {
+  MeshSpec mesh;
+  TableReader reader(node, what, diagnostics);
+  if (!reader.has("kind")) reader.find("kind", Need::kRequired);
+  const std::size_t errors_before = diagnostics.errors.size();
+  reader.readChoice("kind", mesh.kind, kMeshKinds);
+  // Which other keys there are depends on the kind: without one, no more can be said about them.
+  if (!reader.has("kind") || diagnostics.errors.size() != errors_before) return mesh;
+  const bool closed = mesh.kind != MeshKind::kPlane && mesh.kind != MeshKind::kTerrain;
+  reader.readInteger("segments_u", mesh.segments_u, {closed ? 3.0 : 1.0, kMaxSegments});
+  reader.readInteger("segments_v", mesh.segments_v,
+                     {mesh.kind == MeshKind::kTorusKnot ? 3.0
+                      : mesh.kind == MeshKind::kSphere  ? 2.0
+                                                        : 1.0,
+                      kMaxSegments});
+  readShape(reader, mesh);
+  reader.finish();
+  return mesh;
+}
+
+}  // namespace reprise

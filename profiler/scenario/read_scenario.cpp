@@ -1,0 +1,125 @@
+#include "profiler/scenario/read_scenario.h"
+
+#include "profiler/scenario/read_motion.h"
+#include "profiler/scenario/read_sections.h"
+#include "profiler/scenario/scenario_hash.h"
+#include "runtime/base/file.h"
+
+namespace reprise {
+namespace {
+
+namespace fs = std::filesystem;
+
+template <typename Named>
+void expectDistinct(const std::vector<Named>& named, const std::vector<const Node*>& nodes,
+                    const std::string& noun, Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (named[i].name != named[j].name) continue;
+      diagnostics.add("value",
+                      "there are two " + noun + " named '" + named[i].name + "', the first in line " +
+                          std::to_string(nodes[j]->place.line) + "; expected distinct names",
+                      nodes[i]->place);
+      break;
+    }
+  }
+}
+
+void readObjects(TableReader& root, Scenario& scenario) {
+  const std::vector<const Node*> nodes = root.findTables("object");
+  for (const Node* node : nodes) {
+    Object object;
+    TableReader reader(*node, "[[object]] " + std::to_string(scenario.objects.size() + 1),
+                       root.diagnostics());
+    readName(reader, object.name);
+    if (const Node* mesh = reader.find("mesh", Need::kRequired)) {
+      object.mesh = readMesh(*mesh, "'mesh' of object '" + object.name + "'", root.diagnostics());
+    }
+    if (const Node* motion = reader.find("motion")) {
+      object.motion = readMotion(*motion, "'motion' of object '" + object.name + "'", root.diagnostics());
+    }
+    reader.finish();
+    scenario.objects.push_back(std::move(object));
+  }
+  expectDistinct(scenario.objects, nodes, "objects", root.diagnostics());
+  if (!root.has("object")) {
+    root.diagnostics().add("missing_key", "the scenario has no [[object]], expected at least one",
+                           root.table().place);
+  }
+}
+
+void readTextures(TableReader& root, const fs::path& directory, Scenario& scenario) {
+  const std::vector<const Node*> nodes = root.findTables("texture");
+  for (const Node* node : nodes)
+    scenario.textures.push_back(readTexture(*node, directory, root.diagnostics()));
+  expectDistinct(scenario.textures, nodes, "textures", root.diagnostics());
+}
+
+// Reverse Z and the comparison must agree, else the farthest surface wins.
+void checkDepthOrder(const SessionSpec& session, const RenderState& state, const Node& node,
+                     Diagnostics& diagnostics) {
+  const bool greater =
+      state.compare == DepthCompare::kGreater || state.compare == DepthCompare::kGreaterOrEqual;
+  if (greater == session.camera.reverse_z) return;
+  diagnostics.add("value",
+                  "session '" + session.name + "' has a camera with" +
+                      (session.camera.reverse_z ? "" : "out") + " reverse_z, but 'depth_compare' is '" +
+                      spellingOf(kDepthCompares, state.compare) +
+                      "'; expected 'greater' with reverse_z and 'less' without",
+                  node.place);
+}
+
+void readSessions(TableReader& root, Scenario& scenario) {
+  const std::vector<const Node*> nodes = root.findTables("session");
+  bool training = false, validation = false;
+  for (const Node* node : nodes) {
+    SessionSpec session = readSession(*node, scenario, root.diagnostics());
+    checkDepthOrder(session, scenario.state, *node, root.diagnostics());
+    (session.role == SessionRole::kTraining ? training : validation) = true;
+    scenario.sessions.push_back(std::move(session));
+  }
+  expectDistinct(scenario.sessions, nodes, "sessions", root.diagnostics());
+  const Place& place = nodes.empty() ? root.table().place : nodes.front()->place;
+  const std::string missing = "expected at least one [[session]] with role = ";
+  if (!training)
+    root.diagnostics().add("value", "there is no training session, " + missing + "\"training\"", place);
+  if (!validation)
+    root.diagnostics().add("value", "there is no validation session, " + missing + "\"validation\"", place);
+}
+
+void readRoot(const Node& document, const fs::path& directory, Scenario& scenario, Diagnostics& diagnostics) {
+  TableReader root(document, "the scenario", diagnostics);
+  root.readText("name", scenario.name);
+  if (const Node* shader = root.find("shader", Need::kRequired))
+    readShader(*shader, directory, scenario, diagnostics);
+  if (const Node* render = root.find("render")) readRender(*render, scenario, diagnostics);
+  readObjects(root, scenario);
+  scenario.uniforms_place = {scenario.path, 0, 0};
+  if (const Node* uniforms = root.find("uniforms")) {
+    scenario.uniforms_place = uniforms->place;
+    scenario.uniforms = readUniforms(*uniforms, diagnostics);
+  }
+  readTextures(root, directory, scenario);
+  readSessions(root, scenario);
+  root.finish();
+}
+
+}  // namespace
+
+Result<Scenario> readScenario(const fs::path& path) {
+  REPRISE_ASSIGN(const std::string text, readFile(path));
+  REPRISE_ASSIGN(const Node document, parseDocument(text, path.string()));
+  Scenario scenario;
+  std::error_code status;
+  const fs::path absolute = fs::absolute(path, status).lexically_normal();
+  scenario.path = absolute.string();
+  scenario.name = path.stem().string();
+  Diagnostics diagnostics;
+  readRoot(document, absolute.parent_path(), scenario, diagnostics);
+  sortByPlace(diagnostics);
+  if (!diagnostics.errors.empty()) return mergeErrors(diagnostics);
+  REPRISE_ASSIGN(scenario.hash, hashScenario(scenario));
+  return scenario;
+}
+
+}  // namespace reprise

@@ -1,0 +1,315 @@
+#include "profiler/scenario/read_sections.h"
+
+#include <algorithm>
+#include <bit>
+#include <cctype>
+
+#include "profiler/scenario/near_names.h"
+#include "profiler/scenario/read_motion.h"
+#include "profiler/scenario/track_size.h"
+
+namespace reprise {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string readPath(TableReader& reader, const std::string& key, const fs::path& directory) {
+  const Node* node = reader.find(key, Need::kRequired);
+  std::string text;
+  reader.readText(key, text);
+  return text.empty() ? text : resolvePath(*node, directory, false, reader.diagnostics());
+}
+
+bool isIdentifier(const std::string& name) {
+  const auto fits = [](unsigned char letter) { return std::isalnum(letter) || letter == '_'; };
+  return !name.empty() && !std::isdigit(static_cast<unsigned char>(name[0])) &&
+         std::all_of(name.begin(), name.end(), fits);
+}
+
+void readDefines(const Node& node, Scenario& scenario, Diagnostics& diagnostics) {
+  TableReader reader(node, "'defines' of [shader]", diagnostics);
+  for (const Entry& entry : node.entries) {
+    const Node& value = entry.value;
+    if (!isIdentifier(entry.key)) {
+      diagnostics.add("value",
+                      "'" + entry.key + "' cannot be defined, expected a name of letters, digits and '_'",
+                      entry.key_place);
+    }
+    std::string text = value.text;
+    if (value.kind == NodeKind::kInteger) {
+      text = std::to_string(value.integer);
+    } else if (value.kind == NodeKind::kBoolean) {
+      text = value.boolean ? "1" : "0";
+    } else if (value.kind != NodeKind::kText) {
+      // A number with a point has many spellings: the shader is to see the one that the user wrote.
+      diagnostics.add("type",
+                      "define '" + entry.key + "' is " + describeNode(value) +
+                          ", expected a text in quotes, an integer, true or false",
+                      value.place);
+    }
+    scenario.defines.emplace_back(entry.key, text);
+  }
+}
+
+void readPeriods(TableReader& reader, std::vector<std::uint32_t>& periods) {
+  const Node* node = reader.find("periods");
+  if (!node) return;
+  const std::string expected = ", expected 1, 2, 4, ... 64 or \"never\"";
+  Diagnostics& diagnostics = reader.diagnostics();
+  if (node->kind != NodeKind::kArray || node->elements.empty()) {
+    diagnostics.add(
+        "type", "'periods' is " + describeNode(*node) + ", expected an array such as [1, 2, 4, \"never\"]",
+        node->place);
+    return;
+  }
+  std::vector<std::uint32_t> read;
+  for (const Node& element : node->elements) {
+    const bool never = element.kind == NodeKind::kText && element.text == "never";
+    if (element.kind != NodeKind::kInteger && !never) {
+      diagnostics.add(element.kind == NodeKind::kText ? "value" : "type",
+                      "a period is " + describeNode(element) + expected, element.place);
+      continue;
+    }
+    const bool fits = never || (element.integer >= 1 && element.integer <= 64 &&
+                                std::has_single_bit(static_cast<std::uint64_t>(element.integer)));
+    const std::uint32_t period = fits && !never ? static_cast<std::uint32_t>(element.integer) : 0;
+    if (!fits) {
+      diagnostics.add("value", "a period is " + describeNode(element) + expected, element.place);
+    } else if (std::find(read.begin(), read.end(), period) != read.end()) {
+      diagnostics.add("value",
+                      "the period " + (never ? "\"never\"" : std::to_string(period)) + " is given twice",
+                      element.place);
+    }
+    read.push_back(period);
+  }
+  periods = read;
+}
+
+void readFormats(TableReader& reader, std::vector<std::string>& formats) {
+  const Node* node = reader.find("formats");
+  if (!node) return;
+  Diagnostics& diagnostics = reader.diagnostics();
+  if (node->kind != NodeKind::kArray || node->elements.size() > 8) {
+    diagnostics.add(
+        "type",
+        "'formats' is " + describeNode(*node) + ", expected an array of at most 8 formats, one per output",
+        node->place);
+    return;
+  }
+  const std::vector<std::string> known(std::begin(kColorFormats), std::end(kColorFormats));
+  for (const Node& element : node->elements) {
+    const bool is_text = element.kind == NodeKind::kText;
+    if (!is_text || std::find(known.begin(), known.end(), element.text) == known.end()) {
+      diagnostics.add(is_text ? "value" : "type",
+                      "a colour format is " + describeNode(element) + suggestNames(element.text, known),
+                      element.place);
+    }
+    formats.push_back(element.text);
+  }
+}
+
+UniformBinding readUniform(const std::string& member, const Entry& entry, Diagnostics& diagnostics) {
+  UniformBinding binding{member, FixedTrack{{0}}, entry.key_place};
+  const Node& value = entry.value;
+  if (value.kind != NodeKind::kText) {
+    if (std::optional<Track> track = readTrack(value, "uniform '" + member + "'", 0, diagnostics))
+      binding.source = *track;
+    return binding;
+  }
+  std::vector<std::string> names;
+  for (const auto& named : kSemantics) {
+    if (value.text == named.name) {
+      binding.source = named.value;
+      return binding;
+    }
+    names.emplace_back(named.name);
+  }
+  diagnostics.add(
+      "value", "uniform '" + member + "' is bound to '" + value.text + "'" + suggestNames(value.text, names),
+      value.place);
+  return binding;
+}
+
+void readSessionMotions(TableReader& reader, const Scenario& scenario, SessionSpec& session) {
+  const Node* node = reader.find("motions");
+  if (!node) return;
+  TableReader motions(*node, "'motions' of session '" + session.name + "'", reader.diagnostics());
+  for (const Object& object : scenario.objects) {
+    const Node* motion = motions.find(object.name);
+    if (!motion) continue;
+    session.motions[object.name] =
+        readMotion(*motion, "the motion of '" + object.name + "' in session '" + session.name + "'",
+                   reader.diagnostics());
+  }
+  motions.finish();
+}
+
+void readSessionUniforms(TableReader& reader, const Scenario& scenario, SessionSpec& session) {
+  const Node* node = reader.find("uniforms");
+  if (!node) return;
+  TableReader uniforms(*node, "'uniforms' of session '" + session.name + "'", reader.diagnostics());
+  for (const UniformBinding& binding : scenario.uniforms) {
+    const Node* value = uniforms.find(binding.member);
+    if (!value) continue;
+    const auto* base = std::get_if<Track>(&binding.source);
+    const std::string what = "uniform '" + binding.member + "' in session '" + session.name + "'";
+    if (std::optional<Track> track =
+            readTrack(*value, what, base ? trackSize(*base) : 0, reader.diagnostics())) {
+      session.uniforms[binding.member] = *track;
+    }
+  }
+  uniforms.finish();
+}
+
+}  // namespace
+
+void readName(TableReader& reader, std::string& name) {
+  reader.readText("name", name, Need::kRequired);
+  const auto fits = [](unsigned char letter) {
+    return std::isalnum(letter) || letter == '_' || letter == '-' || letter == '.';
+  };
+  if (std::all_of(name.begin(), name.end(), fits) && name != "." && name != "..") return;
+  reader.diagnostics().add("value",
+                           "the name '" + name + "' of " + reader.what() +
+                               " will not do, expected letters, digits, '_', '-' and '.'",
+                           reader.find("name")->place);
+}
+
+std::string resolvePath(const Node& node, const fs::path& directory, bool is_directory,
+                        Diagnostics& diagnostics) {
+  const fs::path path = (directory / node.text).lexically_normal();
+  std::error_code status;
+  if (!fs::exists(path, status)) {
+    diagnostics.add(
+        "missing_file",
+        "there is no " + std::string(is_directory ? "folder" : "file") + " '" + path.string() + "'",
+        node.place);
+  } else if (fs::is_directory(path, status) != is_directory) {
+    diagnostics.add("missing_file",
+                    "'" + path.string() + "' is " +
+                        (is_directory ? "no folder, expected one" : "a folder, expected a file"),
+                    node.place);
+  }
+  return path.string();
+}
+
+void readShader(const Node& node, const fs::path& directory, Scenario& scenario, Diagnostics& diagnostics) {
+  TableReader reader(node, "[shader]", diagnostics);
+  scenario.fragment_path = readPath(reader, "fragment", directory);
+  scenario.vertex_path = readPath(reader, "vertex", directory);
+  if (const Node* folders = reader.find("include_dirs")) {
+    if (folders->kind != NodeKind::kArray) {
+      diagnostics.add(
+          "type",
+          "'include_dirs' of [shader] is " + describeNode(*folders) + ", expected an array of folders",
+          folders->place);
+    }
+    for (const Node& folder : folders->elements) {
+      if (folder.kind != NodeKind::kText) {
+        diagnostics.add("type",
+                        "an include folder is " + describeNode(folder) + ", expected a text in quotes",
+                        folder.place);
+        continue;
+      }
+      scenario.include_dirs.push_back(resolvePath(folder, directory, true, diagnostics));
+    }
+  }
+  if (const Node* defines = reader.find("defines")) readDefines(*defines, scenario, diagnostics);
+  reader.finish();
+}
+
+void readRender(const Node& node, Scenario& scenario, Diagnostics& diagnostics) {
+  TableReader reader(node, "[render]", diagnostics);
+  reader.readUnsigned("width", scenario.width, {1, kMaxResolution});
+  reader.readUnsigned("height", scenario.height, {1, kMaxResolution});
+  reader.readInteger("frames", scenario.frames, {1, kMaxFrames});
+  reader.readNumber("frame_time_s", scenario.frame_time_s, {0, 10, true});
+  readPeriods(reader, scenario.periods);
+  reader.readUnsigned("seed", scenario.seed);
+  reader.readChoice("cull", scenario.state.cull, kCullModes);
+  reader.readChoice("depth_compare", scenario.state.compare, kDepthCompares);
+  reader.readBoolean("depth_stencil", scenario.state.depth_stencil);
+  readFormats(reader, scenario.state.color_formats);
+  reader.readNumbers("clear", scenario.state.clear);
+  reader.readChoice("tone_map", scenario.tone_map, kToneMaps);
+  reader.readNumber("exposure", scenario.exposure, kPositive);
+  reader.finish();
+}
+
+std::vector<UniformBinding> readUniforms(const Node& node, Diagnostics& diagnostics) {
+  std::vector<UniformBinding> bindings;
+  TableReader reader(node, "[uniforms]", diagnostics);
+  const auto add = [&](const std::string& member, const Entry& entry) {
+    const bool again = std::any_of(bindings.begin(), bindings.end(),
+                                   [&](const auto& known) { return known.member == member; });
+    if (again)
+      diagnostics.add("value", "uniform '" + member + "' is bound twice, expected once", entry.key_place);
+    bindings.push_back(readUniform(member, entry, diagnostics));
+  };
+  for (const Entry& entry : node.entries) {
+    if (entry.key.find('.') != std::string::npos) {
+      add(entry.key, entry);
+    } else if (entry.value.kind == NodeKind::kTable) {
+      for (const Entry& member : entry.value.entries) add(entry.key + "." + member.key, member);
+    } else {
+      diagnostics.add(
+          "value",
+          "[uniforms] has '" + entry.key + "', expected \"Block.member\" in quotes or a table of members",
+          entry.key_place);
+    }
+  }
+  return bindings;
+}
+
+TextureSpec readTexture(const Node& node, const fs::path& directory, Diagnostics& diagnostics) {
+  TextureSpec texture;
+  TableReader reader(node, "[[texture]]", diagnostics);
+  reader.readText("name", texture.name, Need::kRequired);
+  texture.place = node.place;
+  if (const Node* name = reader.find("name")) texture.place = name->place;
+  const std::size_t errors_before = diagnostics.errors.size();
+  if (reader.has("file"))
+    texture.kind = TextureKind::kFile;
+  else if (!reader.has("kind"))
+    diagnostics.add("missing_key", "texture '" + texture.name + "' needs 'file' or 'kind'", node.place);
+  reader.readChoice("kind", texture.kind, kTextureKinds);
+  if (diagnostics.errors.size() != errors_before) return texture;
+  if (texture.kind == TextureKind::kFile) {
+    texture.path = readPath(reader, "file", directory);
+  } else {
+    reader.readInteger("size", texture.size, {1, kMaxTextureSize});
+    if (texture.kind == TextureKind::kChecker || texture.kind == TextureKind::kNoise)
+      reader.readInteger("cells", texture.cells, {1, kMaxTextureSize});
+    if (texture.kind == TextureKind::kNoise) reader.readUnsigned("seed", texture.seed);
+    reader.readNumbers("color_a", texture.color_a, kNotNegative);
+    reader.readNumbers("color_b", texture.color_b, kNotNegative);
+  }
+  reader.readBoolean("linear", texture.linear);
+  reader.readBoolean("repeat", texture.repeat);
+  reader.readBoolean("mipmaps", texture.mipmaps);
+  reader.readBoolean("srgb", texture.srgb);
+  reader.finish();
+  return texture;
+}
+
+SessionSpec readSession(const Node& node, const Scenario& scenario, Diagnostics& diagnostics) {
+  SessionSpec session;
+  TableReader reader(node, "[[session]]", diagnostics);
+  readName(reader, session.name);
+  if (!reader.has("role")) reader.find("role", Need::kRequired);
+  reader.readChoice("role", session.role, kSessionRoles);
+  if (const Node* camera = reader.find("camera", Need::kRequired)) {
+    session.camera = readCamera(*camera, "'camera' of session '" + session.name + "'", diagnostics);
+  }
+  if (reader.has("frames"))
+    reader.readInteger("frames", session.frames, {1, kMaxFrames});
+  else
+    reader.find("frames");
+  reader.readNumber("speed", session.speed, kNotNegative);
+  readSessionMotions(reader, scenario, session);
+  readSessionUniforms(reader, scenario, session);
+  reader.finish();
+  return session;
+}
+
+}  // namespace reprise

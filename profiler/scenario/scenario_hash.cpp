@@ -1,0 +1,22 @@
+#include "profiler/scenario/scenario_hash.h"
+
+#include "profiler/scenario/read_scenario.h"
+#include "runtime/base/file.h"
+#include "runtime/base/hash.h"
+
+namespace reprise {
+
+Result<std::string> hashScenario(const Scenario& scenario) {
+  Scenario bare = scenario;
+  bare.name = "scenario";
+  bare.fragment_path = bare.vertex_path = "shader";
+  bare.include_dirs.clear();
+  for (TextureSpec& texture : bare.textures) {
+    if (texture.kind != TextureKind::kFile) continue;
+    REPRISE_ASSIGN(const std::string bytes, readFile(texture.path));
+    texture.path = contentHash(bytes);
+  }
+  return contentHash(writeScenario(bare, {}));
+}
+
+}  // namespace reprise

@@ -1,0 +1,13 @@
+// The identity of a scenario: what it says and what its texture files hold.
+#pragma once
+
+#include <string>
+
+#include "profiler/scenario/scenario.h"
+
+namespace reprise {
+
+// As Scenario::hash says. Errors: file.missing, file.unreadable of a texture.
+Result<std::string> hashScenario(const Scenario& scenario);
+
+}  // namespace reprise

@@ -1,0 +1,77 @@
+// The package on disk: manifest.json with a hash of its own body, modules beside it.
+#include <nlohmann/json.hpp>
+
+#include "runtime/base/file.h"
+#include "runtime/base/hash.h"
+#include "runtime/package/json.h"
+#include "runtime/package/package.h"
+
+namespace reprise {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kManifest = "manifest.json";
+
+Error manifestError(const std::filesystem::path& file, const std::string& code, const std::string& message) {
+  return {ErrorKind::kInput, code, message, {file.string(), 0, 0}};
+}
+
+Result<void> readModules(const Recipe& recipe, const std::filesystem::path& directory, Package& package) {
+  for (const ModuleEntry& entry : recipe.modules) {
+    if (package.modules.count(entry.name) != 0) continue;
+    if (entry.name.empty() || entry.name.find('/') != std::string::npos || entry.name.front() == '.')
+      return manifestError(directory / kManifest, "package.inconsistent", "'" + entry.name + "' is no module name");
+    const std::filesystem::path file = directory / (entry.name + ".spv");
+    REPRISE_ASSIGN(std::vector<std::uint32_t> words, readWords(file));
+    if (contentHash(bytesOf(words)) != entry.hash)
+      return manifestError(file, "package.tampered",
+                           "the module is not the one that the manifest names; run the optimizer again to make a sound package");
+    package.modules[entry.name] = std::move(words);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> writePackageFiles(const Package& package, const std::filesystem::path& directory) {
+  for (const auto& [name, words] : package.modules) REPRISE_TRY(writeFile(directory / (name + ".spv"), bytesOf(words)));
+  for (const auto& [name, text] : package.readable) REPRISE_TRY(writeFile(directory / (name + ".glsl"), text));
+  json body = {{"format_version", kRecipeFormatVersion}, {"tool_version", package.tool_version},
+               {"interface", interfaceJson(package.interface)}, {"original", recipeJson(package.original)},
+               {"variant", recipeJson(package.variant)}};
+  const std::string hash = contentHash(body.dump());
+  return writeFile(directory / kManifest, json{{"hash", hash}, {"package", std::move(body)}}.dump(2) + "\n");
+}
+
+Result<Package> readPackage(const std::filesystem::path& directory) {
+  const std::filesystem::path file = directory / kManifest;
+  std::error_code status;
+  if (!std::filesystem::exists(file, status))
+    return manifestError(file, "package.missing", "there is no package in '" + directory.string() + "' (no manifest.json)");
+  REPRISE_ASSIGN(const std::string text, readFile(file));
+  Package package;
+  try {
+    const json document = json::parse(text);
+    const json& body = document.at("package");
+    const int version = body.at("format_version");
+    if (version > kRecipeFormatVersion)
+      return manifestError(file, "package.version", "the package has format " + std::to_string(version) +
+                                                        "; this version of Reprise reads up to " + std::to_string(kRecipeFormatVersion));
+    if (document.at("hash") != contentHash(body.dump()))
+      return manifestError(file, "package.tampered", "the manifest was changed after it was written; run the optimizer again");
+    package.tool_version = body.at("tool_version");
+    package.interface = interfaceFrom(body.at("interface"));
+    package.original = recipeFrom(body.at("original"));
+    package.variant = recipeFrom(body.at("variant"));
+  } catch (const std::exception& failure) {
+    return manifestError(file, "package.manifest", std::string("the manifest cannot be read: ") + failure.what());
+  }
+  REPRISE_TRY(readModules(package.original, directory, package));
+  REPRISE_TRY(readModules(package.variant, directory, package));
+  const Result<void> checked = checkPackage(package);
+  if (!checked.ok()) return manifestError(file, checked.error().code, checked.error().message);
+  return package;
+}
+
+}  // namespace reprise

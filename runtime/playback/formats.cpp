@@ -1,0 +1,21 @@
+#include "runtime/playback/formats.h"
+
+namespace reprise {
+
+VkFormat vulkanFormat(ResourceFormat format) {
+  switch (format) {
+    case ResourceFormat::kRgba8Unorm: return VK_FORMAT_R8G8B8A8_UNORM;
+    case ResourceFormat::kRgba16Sfloat: return VK_FORMAT_R16G16B16A16_SFLOAT;
+    case ResourceFormat::kRgba32Sfloat: return VK_FORMAT_R32G32B32A32_SFLOAT;
+    case ResourceFormat::kR8Unorm: return VK_FORMAT_R8_UNORM;
+    case ResourceFormat::kR16Sfloat: return VK_FORMAT_R16_SFLOAT;
+    case ResourceFormat::kR32Sfloat: return VK_FORMAT_R32_SFLOAT;
+  }
+  return VK_FORMAT_UNDEFINED;
+}
+
+bool hasStencil(VkFormat format) {
+  return format == VK_FORMAT_D32_SFLOAT_S8_UINT || format == VK_FORMAT_D24_UNORM_S8_UINT || format == VK_FORMAT_D16_UNORM_S8_UINT;
+}
+
+}  // namespace reprise

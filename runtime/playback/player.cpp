@@ -1,0 +1,374 @@
+#include "runtime/playback/player.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "runtime/playback/draw_uniforms.h"
+#include "runtime/playback/formats.h"
+#include "runtime/playback/history_images.h"
+#include "runtime/playback/pass_pipelines.h"
+
+namespace reprise {
+namespace {
+
+Result<Handle<VkSampler>> createSampler(const DeviceView& device, VkFilter filter) {
+  VkSamplerCreateInfo create{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
+  create.magFilter = create.minFilter = filter;
+  create.mipmapMode = VK_SAMPLER_MIPMAP_MODE_NEAREST;
+  create.addressModeU = create.addressModeV = create.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  create.unnormalizedCoordinates = VK_TRUE;
+  VkSampler sampler = VK_NULL_HANDLE;
+  REPRISE_VK(device.fn.vkCreateSampler(device.device, &create, nullptr, &sampler));
+  return Handle<VkSampler>(device.device, sampler, device.fn.vkDestroySampler);
+}
+
+// What one frame in flight owns: uniform memory and a descriptor set for each pass.
+struct FrameSlot {
+  UniformRegion uniforms;
+  std::vector<VkDescriptorSet> sets;
+};
+
+}  // namespace
+
+struct Player::State {
+  DeviceView device;
+  Package package;
+  const Recipe* recipe = nullptr;
+  std::string original_reason;
+  ApplicationPipeline application;  // create_info is null once the pipelines are made
+  PlayerOptions options;
+  PassPipelines pipelines;
+  Handle<VkSampler> nearest, linear;
+  Handle<VkDescriptorPool> pool;
+  std::vector<FrameSlot> slots;
+  ImagesByName images;
+  VkExtent2D extent = {};
+  VkDeviceSize uniform_alignment = 256;
+  std::uint64_t frame = 0;
+  bool history_valid = false;
+  VkViewport previous_viewport = {};
+  std::map<std::uint64_t, DrawBytes> last_draws;
+  std::map<std::uint64_t, DrawOffsets> offsets;  // of the frame being recorded
+
+  Result<void> createDescriptors();
+  Result<void> resize(VkExtent2D to);
+  FrameUniforms uniformsOf(const FrameInputs& inputs) const;
+  Result<void> writeUniforms(const FrameInputs& inputs, FrameSlot& slot);
+  void updateSets(FrameSlot& slot);
+  void prepareImages(VkCommandBuffer commands, const Pass& pass, bool first_use_of_frame, std::set<std::string>& written);
+  void beginRendering(VkCommandBuffer commands, const FrameInputs& inputs, const Pass& pass, std::set<int>& used_targets, bool depth_used);
+};
+
+namespace {
+
+class RecordingPass final : public PassContext {
+ public:
+  struct Parts {
+    const DeviceView* device;
+    VkCommandBuffer commands;
+    VkPipelineLayout layout;
+    int pass;
+    bool binds;
+    std::uint32_t set_index;
+    VkDescriptorSet set;
+    const std::map<std::uint64_t, DrawOffsets>* offsets;
+  };
+  explicit RecordingPass(const Parts& parts) : parts_(parts) {}
+
+  VkCommandBuffer commands() const override { return parts_.commands; }
+  VkPipelineLayout layout() const override { return parts_.layout; }
+  int pass() const override { return parts_.pass; }
+  void bindDraw(std::uint64_t id) override {
+    if (!parts_.binds) return;
+    const auto found = parts_.offsets->find(id);
+    REPRISE_CHECK(found != parts_.offsets->end(), id);
+    parts_.device->fn.vkCmdBindDescriptorSets(parts_.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, parts_.layout, parts_.set_index, 1,
+                                              &parts_.set, static_cast<std::uint32_t>(found->second.size()), found->second.data());
+  }
+
+ private:
+  Parts parts_;
+};
+
+void appDependency(const DeviceView& device, VkCommandBuffer commands) {
+  constexpr VkPipelineStageFlags kStages = VK_PIPELINE_STAGE_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_LATE_FRAGMENT_TESTS_BIT |
+                                           VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT;
+  VkMemoryBarrier barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER};
+  barrier.srcAccessMask = VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT | VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT;
+  barrier.dstAccessMask = VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_READ_BIT | VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT |
+                          VK_ACCESS_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT;
+  device.fn.vkCmdPipelineBarrier(commands, kStages, kStages, 0, 1, &barrier, 0, nullptr, 0, nullptr);
+}
+
+}  // namespace
+
+Player::Player(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Player::Player(Player&&) noexcept = default;
+Player& Player::operator=(Player&&) noexcept = default;
+Player::~Player() = default;
+
+Result<Player> Player::create(const DeviceHandles& handles, const Package& package, const ApplicationPipeline& pipeline,
+                              const PlayerOptions& options) {
+  auto state = std::make_unique<State>();
+  REPRISE_ASSIGN(state->device, viewDevice({handles.instance, handles.device, handles.get_instance_proc_addr, handles.get_device_proc_addr},
+                                           handles.physical_device));
+  state->package = package;
+  state->options = options;
+  state->application = pipeline;
+  state->recipe = &state->package.variant;
+  if (!options.force_original) state->original_reason = missingRequirement(state->device, *state->recipe, pipeline);
+  if (options.force_original || !state->original_reason.empty()) state->recipe = &state->package.original;
+  REPRISE_ASSIGN(state->pipelines, createPipelines(state->device, state->package, *state->recipe, pipeline));
+  state->application.create_info = nullptr;
+  VkPhysicalDeviceProperties properties;
+  state->device.fn.vkGetPhysicalDeviceProperties(handles.physical_device, &properties);
+  state->uniform_alignment = std::max<VkDeviceSize>(properties.limits.minUniformBufferOffsetAlignment, 16);
+  state->slots.resize(std::max(options.frames_in_flight, 1u));
+  if (state->recipe->uses_reprise_set) REPRISE_TRY(state->createDescriptors());
+  return Player(std::move(state));
+}
+
+Result<void> Player::State::createDescriptors() {
+  REPRISE_ASSIGN(nearest, createSampler(device, VK_FILTER_NEAREST));
+  REPRISE_ASSIGN(linear, createSampler(device, VK_FILTER_LINEAR));
+  const auto sets = static_cast<std::uint32_t>(slots.size() * recipe->passes.size());
+  const VkDescriptorPoolSize sizes[] = {
+      {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, sets},
+      {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, sets * static_cast<std::uint32_t>(1 + recipe->previous_inputs.size())},
+      {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, sets * 8}};
+  VkDescriptorPoolCreateInfo create{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+  create.maxSets = sets;
+  create.poolSizeCount = 3;
+  create.pPoolSizes = sizes;
+  VkDescriptorPool created = VK_NULL_HANDLE;
+  REPRISE_VK(device.fn.vkCreateDescriptorPool(device.device, &create, nullptr, &created));
+  pool = {device.device, created, device.fn.vkDestroyDescriptorPool};
+  const std::vector<VkDescriptorSetLayout> layouts(recipe->passes.size(), pipelines.own_layouts.back().get());
+  for (FrameSlot& slot : slots) {
+    slot.sets.resize(recipe->passes.size());
+    VkDescriptorSetAllocateInfo allocate{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
+    allocate.descriptorPool = created;
+    allocate.descriptorSetCount = static_cast<std::uint32_t>(layouts.size());
+    allocate.pSetLayouts = layouts.data();
+    REPRISE_VK(device.fn.vkAllocateDescriptorSets(device.device, &allocate, slot.sets.data()));
+  }
+  return {};
+}
+
+Result<void> Player::State::resize(VkExtent2D to) {
+  if (to.width == extent.width && to.height == extent.height) return {};
+  // Frames in flight may still use the old images.
+  if (!images.empty()) REPRISE_VK(device.fn.vkDeviceWaitIdle(device.device));
+  REPRISE_ASSIGN(images, createResourceImages(device, *recipe, to));
+  extent = to;
+  history_valid = false;
+  return {};
+}
+
+FrameUniforms Player::State::uniformsOf(const FrameInputs& inputs) const {
+  FrameUniforms uniforms = recipe->constants;
+  const auto write = [](float (&to)[4], const VkViewport& viewport) {
+    to[0] = viewport.x;
+    to[1] = viewport.y;
+    to[2] = viewport.width;
+    to[3] = viewport.height;
+  };
+  uniforms.frame = static_cast<std::uint32_t>(frame);
+  uniforms.period_frames = inputs.period_frames;
+  uniforms.history_valid = history_valid ? 1 : 0;
+  write(uniforms.viewport, inputs.viewport);
+  write(uniforms.previous_viewport, history_valid ? previous_viewport : inputs.viewport);
+  return uniforms;
+}
+
+Result<void> Player::State::writeUniforms(const FrameInputs& inputs, FrameSlot& slot) {
+  REPRISE_ASSIGN(auto draws, collectDrawBytes(*recipe, inputs));
+  REPRISE_TRY(slot.uniforms.reserve(device, *recipe, draws.size(), uniform_alignment));
+  slot.uniforms.writeFrame(uniformsOf(inputs));
+  offsets.clear();
+  std::size_t index = 0;
+  for (const auto& [id, bytes] : draws) {
+    const auto last = last_draws.find(id);
+    offsets[id] = slot.uniforms.writeDraw(*recipe, index++, last == last_draws.end() ? nullptr : &last->second, bytes);
+  }
+  last_draws = std::move(draws);
+  return {};
+}
+
+void Player::State::updateSets(FrameSlot& slot) {
+  for (std::size_t pass = 0; pass < recipe->passes.size(); ++pass) {
+    std::vector<VkDescriptorBufferInfo> buffers;
+    std::vector<VkDescriptorImageInfo> image_infos;
+    std::vector<VkWriteDescriptorSet> writes;
+    buffers.reserve(recipe->previous_inputs.size() + 2);
+    image_infos.reserve(recipe->passes.size() * 8);
+    const auto add = [&](std::uint32_t binding, VkDescriptorType type) -> VkWriteDescriptorSet& {
+      VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+      write.dstSet = slot.sets[pass];
+      write.dstBinding = binding;
+      write.descriptorCount = 1;
+      write.descriptorType = type;
+      writes.push_back(write);
+      return writes.back();
+    };
+    const auto addBuffer = [&](std::uint32_t binding, VkDescriptorType type, VkDeviceSize range) {
+      buffers.push_back({slot.uniforms.buffer(), 0, range});
+      add(binding, type).pBufferInfo = &buffers.back();
+    };
+    addBuffer(0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, sizeof(FrameUniforms));
+    addBuffer(1, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, UniformRegion::drawBlockBytes(*recipe));
+    for (const PreviousInput& input : recipe->previous_inputs)
+      if (input.source == PreviousSource::kUniformBlock) addBuffer(input.reprise_binding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, input.size_bytes);
+    // Bindings that this pass does not read still get an image: another pass's, in the role that is safe to bind now.
+    std::map<std::uint32_t, const Read*> reads;
+    for (const Pass& other : recipe->passes)
+      for (const Read& read : other.reads) reads.emplace(read.binding, &read);
+    for (const Read& read : recipe->passes[pass].reads) reads[read.binding] = &read;
+    for (const auto& [binding, read] : reads) {
+      ResourceImages& resource = images.at(read->resource);
+      const bool reads_it = std::find(recipe->passes[pass].reads.begin(), recipe->passes[pass].reads.end(), *read) != recipe->passes[pass].reads.end();
+      TrackedImage& image = read->current && reads_it ? resource.written(frame) : resource.last(frame);
+      image_infos.push_back({read->filter == Filter::kBilinear ? linear.get() : nearest.get(), image.image.view.get(),
+                             VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
+      add(binding, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER).pImageInfo = &image_infos.back();
+    }
+    device.fn.vkUpdateDescriptorSets(device.device, static_cast<std::uint32_t>(writes.size()), writes.data(), 0, nullptr);
+  }
+}
+
+void Player::State::prepareImages(VkCommandBuffer commands, const Pass& pass, bool first_rendering, std::set<std::string>& written) {
+  if (!first_rendering && !options.omit_barrier_for_test) appDependency(device, commands);
+  for (const Read& read : pass.reads) {
+    ResourceImages& resource = images.at(read.resource);
+    transition(device, commands, read.current ? resource.written(frame) : resource.last(frame), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, false);
+  }
+  for (const ColorAttachment& color : pass.colors) {
+    if (color.resource.empty()) continue;
+    TrackedImage& image = images.at(color.resource).written(frame);
+    transition(device, commands, image, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, written.count(color.resource) == 0);
+  }
+}
+
+void Player::State::beginRendering(VkCommandBuffer commands, const FrameInputs& inputs, const Pass& pass, std::set<int>& used_targets,
+                                   bool depth_used) {
+  std::vector<VkRenderingAttachmentInfo> colors;
+  for (const ColorAttachment& color : pass.colors) {
+    const auto location = static_cast<std::size_t>(color.location);
+    while (colors.size() <= location) colors.push_back({VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO});
+    VkRenderingAttachmentInfo& info = colors[location];
+    info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    if (color.resource.empty()) {
+      const ColorTarget& target = inputs.colors.at(static_cast<std::size_t>(color.app_target));
+      info.imageView = target.view;
+      info.imageLayout = target.layout;
+      info.loadOp = target.load || used_targets.count(color.app_target) != 0 ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR;
+      info.clearValue.color = target.clear;
+      used_targets.insert(color.app_target);
+    } else {
+      const ResourceImages& resource = images.at(color.resource);
+      info.imageView = images.at(color.resource).written(frame).image.view.get();
+      info.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+      info.loadOp = color.load == LoadOp::kClear ? VK_ATTACHMENT_LOAD_OP_CLEAR
+                    : color.load == LoadOp::kLoad ? VK_ATTACHMENT_LOAD_OP_LOAD
+                                                  : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+      std::copy(resource.resource.clear.begin(), resource.resource.clear.end(), info.clearValue.color.float32);
+    }
+  }
+  VkRenderingAttachmentInfo depth{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+  depth.imageView = inputs.depth.view;
+  depth.imageLayout = inputs.depth.layout;
+  depth.loadOp = depth_used || inputs.depth.load || !pass.depth_clear ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR;
+  depth.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+  depth.clearValue.depthStencil = {inputs.depth.clear_depth, 0};
+  VkRenderingAttachmentInfo stencil = depth;
+  // Reprise's mark starts at 0 even where the application keeps its depth.
+  if (!depth_used) stencil.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+  VkRenderingInfo rendering{VK_STRUCTURE_TYPE_RENDERING_INFO};
+  rendering.renderArea = {{0, 0}, inputs.extent};
+  rendering.layerCount = 1;
+  rendering.colorAttachmentCount = static_cast<std::uint32_t>(colors.size());
+  rendering.pColorAttachments = colors.data();
+  rendering.pDepthAttachment = &depth;
+  rendering.pStencilAttachment = hasStencil(application.depth_format) ? &stencil : nullptr;
+  device.fn.vkCmdBeginRendering(commands, &rendering);
+  device.fn.vkCmdSetViewport(commands, 0, 1, &inputs.viewport);
+  const VkRect2D scissor{{0, 0}, inputs.extent};
+  device.fn.vkCmdSetScissor(commands, 0, 1, &scissor);
+}
+
+Result<void> Player::record(VkCommandBuffer commands, const FrameInputs& inputs, const std::function<void(PassContext&)>& draw) {
+  State& state = *state_;
+  const DeviceView& device = state.device;
+  const Recipe& recipe = *state.recipe;
+  REPRISE_TRY(state.resize(inputs.extent));
+  FrameSlot& slot = state.slots[state.frame % state.slots.size()];
+  if (recipe.uses_reprise_set) {
+    REPRISE_TRY(state.writeUniforms(inputs, slot));
+    state.updateSets(slot);
+  }
+  const auto pass_count = static_cast<std::uint32_t>(recipe.passes.size());
+  if (inputs.timestamps != VK_NULL_HANDLE) {
+    device.fn.vkCmdResetQueryPool(commands, inputs.timestamps, inputs.first_query, pass_count + 1);
+    device.fn.vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, inputs.timestamps, inputs.first_query);
+  }
+  if (inputs.occlusion != VK_NULL_HANDLE) device.fn.vkCmdResetQueryPool(commands, inputs.occlusion, inputs.first_occlusion, pass_count);
+
+  std::set<std::string> written;
+  std::set<int> used_targets;
+  for (std::uint32_t index = 0; index < pass_count; ++index) {
+    const Pass& pass = recipe.passes[index];
+    const bool begins = index == 0 || recipe.passes[index - 1].rendering != pass.rendering;
+    const bool ends = index + 1 == pass_count || recipe.passes[index + 1].rendering != pass.rendering;
+    if (begins) {
+      // Reads of later passes of this rendering count too: nothing can be transitioned inside it.
+      Pass all = pass;
+      for (std::uint32_t other = index + 1; other < pass_count && recipe.passes[other].rendering == pass.rendering; ++other)
+        all.reads.insert(all.reads.end(), recipe.passes[other].reads.begin(), recipe.passes[other].reads.end());
+      state.prepareImages(commands, all, index == 0, written);
+      for (const ColorAttachment& color : pass.colors)
+        if (!color.resource.empty()) written.insert(color.resource);
+      state.beginRendering(commands, inputs, pass, used_targets, index != 0);
+    }
+    device.fn.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, state.pipelines.pipelines[index].get());
+    if (inputs.occlusion != VK_NULL_HANDLE)
+      device.fn.vkCmdBeginQuery(commands, inputs.occlusion, inputs.first_occlusion + index, VK_QUERY_CONTROL_PRECISE_BIT);
+    RecordingPass context({&device, commands, state.pipelines.layout.get(), static_cast<int>(index), recipe.uses_reprise_set,
+                           recipe.reprise_set, recipe.uses_reprise_set ? slot.sets[index] : VK_NULL_HANDLE, &state.offsets});
+    draw(context);
+    if (inputs.occlusion != VK_NULL_HANDLE) device.fn.vkCmdEndQuery(commands, inputs.occlusion, inputs.first_occlusion + index);
+    if (ends) device.fn.vkCmdEndRendering(commands);
+    if (inputs.timestamps != VK_NULL_HANDLE)
+      device.fn.vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, inputs.timestamps, inputs.first_query + index + 1);
+  }
+  for (auto& [name, resource] : state.images)
+    for (TrackedImage& image : resource.images) transition(device, commands, image, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, false);
+  state.previous_viewport = inputs.viewport;
+  state.history_valid = true;
+  ++state.frame;
+  return {};
+}
+
+void Player::invalidate() { state_->history_valid = false; }
+
+void Player::invalidate(const std::string& input) {
+  for (const PayloadValue& value : state_->recipe->payload)
+    for (const std::string& name : value.inputs) {
+      const std::size_t space = name.find(' ');
+      if (name == input || name.substr(space + 1) == input) invalidate();
+    }
+}
+
+bool Player::playsOriginal() const { return state_->recipe == &state_->package.original || !state_->recipe->uses_reprise_set; }
+const std::string& Player::originalReason() const { return state_->original_reason; }
+const Recipe& Player::recipe() const { return *state_->recipe; }
+
+std::optional<ResourceImage> Player::resource(const std::string& name) const {
+  const auto found = state_->images.find(name);
+  if (found == state_->images.end() || state_->frame == 0) return std::nullopt;
+  const TrackedImage& image = found->second.written(state_->frame - 1);
+  return ResourceImage{image.image.image.get(), image.image.view.get(), image.image.format,
+                       {image.image.extent.width, image.image.extent.height}, image.layout};
+}
+
+}  // namespace reprise
