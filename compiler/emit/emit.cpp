@@ -19,8 +19,10 @@ Result<std::string> readableGlsl(std::span<const std::uint32_t> words) {
     compiler.set_common_options(options);
     return compiler.compile();
   } catch (const std::exception& thrown) {
-    return Error{ErrorKind::kInput, "emit.unreadable",
-                 std::string("the module cannot be written as GLSL: ") + thrown.what(), {}};
+    return Error{ErrorKind::kInput,
+                 "emit.unreadable",
+                 std::string("the module cannot be written as GLSL: ") + thrown.what(),
+                 {}};
   }
 }
 

@@ -1,5 +1,7 @@
 #include "compiler/ir/prepare.h"
 
+#include <map>
+#include <set>
 #include <unordered_set>
 
 #include "compiler/ir/optimize.h"
@@ -38,7 +40,32 @@ std::unordered_set<std::uint32_t> variablesOf(const Module& module, const Functi
   return variables;
 }
 
-Module nameStoredValues(const Module& module, std::uint32_t entry_function) {
+using LineNames = std::map<std::pair<std::uint32_t, std::uint32_t>, std::set<std::string>>;
+
+// Inlining gives a callee's locals new ids without names, but its stores keep their lines: which names are stored on a line.
+LineNames namesStoredOnLines(const Module& module) {
+  const auto names = namesById(module);
+  LineNames stored;
+  for (const Function& function : module.functions)
+    for (const Block& block : function.blocks)
+      for (const Instruction& instruction : block.instructions) {
+        if (instruction.opcode != Op::OpStore || instruction.line.line == 0) continue;
+        const auto name = names.find(instruction.word(0));
+        if (name != names.end() && name->second != kArgumentTemporary)
+          stored[{instruction.line.file, instruction.line.line}].insert(name->second);
+      }
+  return stored;
+}
+
+// The name of the variable that a store writes: its own, or the only one that the source stores on that line.
+std::string storedName(const Instruction& store, const std::unordered_map<std::uint32_t, std::string>& names, const LineNames& on_lines) {
+  const auto own = names.find(store.word(0));
+  if (own != names.end() && !own->second.empty()) return own->second == kArgumentTemporary ? "" : own->second;
+  const auto found = on_lines.find({store.line.file, store.line.line});
+  return found != on_lines.end() && found->second.size() == 1 ? *found->second.begin() : "";
+}
+
+Module nameStoredValues(const Module& module, std::uint32_t entry_function, const LineNames& on_lines) {
   Module named = module;
   const auto names = namesById(module);
   const auto types = resultTypes(module);
@@ -49,14 +76,13 @@ Module nameStoredValues(const Module& module, std::uint32_t entry_function) {
     std::vector<Instruction> instructions;
     for (Instruction& instruction : block.instructions) {
       const bool stores = instruction.opcode == Op::OpStore && variables.count(instruction.word(0)) != 0;
-      const auto name = stores ? names.find(instruction.word(0)) : names.end();
+      const std::string name = stores ? storedName(instruction, names, on_lines) : "";
       const auto type = stores ? types.find(instruction.word(1)) : types.end();
-      if (name != names.end() && !name->second.empty() && name->second != kArgumentTemporary && type != types.end() &&
-          floats.count(type->second) != 0) {
+      if (!name.empty() && type != types.end() && floats.count(type->second) != 0) {
         const std::uint32_t copy = named.freshId();
         instructions.push_back(makeInstruction(Op::OpCopyObject, type->second, copy, {instruction.operands[1]}));
         instructions.back().line = instruction.line;
-        named.names.push_back(makeInstruction(Op::OpName, 0, 0, {idOperand(copy), stringOperand(name->second)}));
+        named.names.push_back(makeInstruction(Op::OpName, 0, 0, {idOperand(copy), stringOperand(name)}));
         instruction.operands[1] = idOperand(copy);
       }
       instructions.push_back(std::move(instruction));
@@ -133,7 +159,7 @@ Result<PreparedShader> prepareForCaching(const Module& module, const std::string
           return Error{ErrorKind::kRefused, "call.kept",
                        "the function '" + nameOf(inlined, instruction.word(0)) +
                            "' cannot be inlined, so its values cannot be told apart", {}};
-  REPRISE_ASSIGN(Module promoted, promoteToSsa(nameStoredValues(inlined, function_id)));
+  REPRISE_ASSIGN(Module promoted, promoteToSsa(nameStoredValues(inlined, function_id, namesStoredOnLines(module))));
   PreparedShader shader{std::move(promoted), function_id, {}};
   REPRISE_CHECK(findFunction(shader.module, function_id) != nullptr, name);
   foldCopies(shader);

@@ -9,16 +9,21 @@ namespace {
 
 std::optional<ScalarKind> scalarOf(spirv_cross::SPIRType::BaseType type) {
   switch (type) {
-    case spirv_cross::SPIRType::Float: return ScalarKind::kFloat;
-    case spirv_cross::SPIRType::Int: return ScalarKind::kInt;
-    case spirv_cross::SPIRType::UInt: return ScalarKind::kUint;
-    default: return std::nullopt;
+    case spirv_cross::SPIRType::Float:
+      return ScalarKind::kFloat;
+    case spirv_cross::SPIRType::Int:
+      return ScalarKind::kInt;
+    case spirv_cross::SPIRType::UInt:
+      return ScalarKind::kUint;
+    default:
+      return std::nullopt;
   }
 }
 
 class Flattener {
  public:
-  Flattener(const spirv_cross::Compiler& compiler, const std::string& block) : compiler_(compiler), block_(block) {}
+  Flattener(const spirv_cross::Compiler& compiler, const std::string& block)
+      : compiler_(compiler), block_(block) {}
 
   Result<void> addStruct(std::uint32_t type_id, const std::string& prefix, std::uint32_t base_offset) {
     const spirv_cross::SPIRType& type = compiler_.get_type(type_id);
@@ -29,7 +34,9 @@ class Flattener {
       member.name = prefix.empty() ? name : prefix + "." + name;
       member.offset = base_offset + compiler_.type_struct_member_offset(type, i);
       member.row_major = compiler_.has_member_decoration(type.self, i, spv::DecorationRowMajor);
-      member.matrix_stride = compiler_.get_member_decoration(type.self, i, spv::DecorationMatrixStride);
+      if (compiler_.has_member_decoration(type.self, i, spv::DecorationMatrixStride)) {
+        member.matrix_stride = compiler_.type_struct_member_matrix_stride(type, i);
+      }
       REPRISE_TRY(addMember(type.member_types[i], member));
     }
     return {};
@@ -87,8 +94,10 @@ class Flattener {
   }
 
   Error refuse(const BlockMember& member, const std::string& what) const {
-    return {ErrorKind::kInput, "source.unsupported",
-            "the member \"" + block_ + "." + member.name + "\" " + what + ", which blocks may not hold here", {}};
+    return {ErrorKind::kInput,
+            "source.unsupported",
+            "the member \"" + block_ + "." + member.name + "\" " + what + ", which blocks may not hold here",
+            {}};
   }
 
   const spirv_cross::Compiler& compiler_;

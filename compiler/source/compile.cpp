@@ -24,7 +24,8 @@ std::string extensionOf(const std::filesystem::path& path) {
 std::optional<ShaderStage> stageOfName(const std::string& name) {
   std::filesystem::path path(name);
   std::string extension = extensionOf(path);
-  if (extension == ".glsl" || extension == ".spv" || extension == ".spvasm") extension = extensionOf(path.stem());
+  if (extension == ".glsl" || extension == ".spv" || extension == ".spvasm")
+    extension = extensionOf(path.stem());
   if (extension == ".vert" || extension == ".vs") return ShaderStage::kVertex;
   if (extension == ".frag" || extension == ".fs") return ShaderStage::kFragment;
   return std::nullopt;
@@ -32,8 +33,8 @@ std::optional<ShaderStage> stageOfName(const std::string& name) {
 
 // Suffixes of stages that Reprise does not take.
 bool isOtherStage(const std::string& extension) {
-  constexpr std::string_view kOthers[] = {".comp", ".geom", ".tesc", ".tese", ".mesh", ".task",
-                                          ".rgen", ".rchit", ".rmiss"};
+  constexpr std::string_view kOthers[] = {".comp", ".geom", ".tesc",  ".tese", ".mesh",
+                                          ".task", ".rgen", ".rchit", ".rmiss"};
   return std::find(std::begin(kOthers), std::end(kOthers), extension) != std::end(kOthers);
 }
 
@@ -59,23 +60,29 @@ bool isEmptySource(std::string_view text) {
 Result<ShaderStage> stageOfGlsl(const std::string& name, const CompileOptions& options) {
   const std::optional<ShaderStage> named = stageOfName(name);
   if (isOtherStage(extensionOf(name))) {
-    return Error{ErrorKind::kInput, "source.stage",
-                 "found a shader of another stage (" + extensionOf(name) + "); expected a vertex or fragment shader",
-                 {name, 0, 0}};
+    return Error{
+        ErrorKind::kInput,
+        "source.stage",
+        "found a shader of another stage (" + extensionOf(name) + "); expected a vertex or fragment shader",
+        {name, 0, 0}};
   }
   if (options.stage && named && *named != *options.stage) {
-    return Error{ErrorKind::kInput, "source.stage",
+    return Error{ErrorKind::kInput,
+                 "source.stage",
                  std::string("found a ") + nameOf(*named) + " shader by its suffix; expected a " +
-                     nameOf(*options.stage) + " shader", {name, 0, 0}};
+                     nameOf(*options.stage) + " shader",
+                 {name, 0, 0}};
   }
   if (options.stage) return *options.stage;
   if (named) return *named;
-  return Error{ErrorKind::kInput, "source.stage",
+  return Error{ErrorKind::kInput,
+               "source.stage",
                "the stage cannot be told from the name; call the file .vert or .frag, or name the stage",
                {name, 0, 0}};
 }
 
-Result<CompiledShader> compileGlsl(std::string_view text, const std::string& name, const CompileOptions& options) {
+Result<CompiledShader> compileGlsl(std::string_view text, const std::string& name,
+                                   const CompileOptions& options) {
   REPRISE_ASSIGN(const ShaderStage stage, stageOfGlsl(name, options));
   Result<CompiledShader> shader = translateGlsl(text, name, stage, options);
   if (!shader) {
@@ -91,8 +98,10 @@ Result<CompiledShader> compileGlsl(std::string_view text, const std::string& nam
   }
   const Result<void> valid = validateModule(shader->words);
   if (!valid) {
-    return Error{ErrorKind::kInput, "source.invalid",
-                 "glslang made SPIR-V that the validator rejects: " + valid.error().message, {name, 0, 0}};
+    return Error{ErrorKind::kInput,
+                 "source.invalid",
+                 "glslang made SPIR-V that the validator rejects: " + valid.error().message,
+                 {name, 0, 0}};
   }
   return shader;
 }
@@ -113,7 +122,9 @@ Result<CompiledShader> compileAssembly(std::string_view text, const std::string&
 
 }  // namespace
 
-const char* nameOf(ShaderStage stage) { return stage == ShaderStage::kVertex ? "vertex" : "fragment"; }
+const char* nameOf(ShaderStage stage) {
+  return stage == ShaderStage::kVertex ? "vertex" : "fragment";
+}
 
 Result<CompiledShader> compile(const std::filesystem::path& file, const CompileOptions& options) {
   if (file == "-") {
@@ -128,14 +139,19 @@ Result<CompiledShader> compileText(std::string_view text, const std::string& vir
                                    const CompileOptions& options) {
   if (looksLikeSpirv(text)) return readSpirv(text, virtual_name, options);
   if (isEmptySource(text)) {
-    return Error{ErrorKind::kInput, "source.empty",
-                 "the file has no code; expected a shader with a function main", {virtual_name, 0, 0}};
+    return Error{ErrorKind::kInput,
+                 "source.empty",
+                 "the file has no code; expected a shader with a function main",
+                 {virtual_name, 0, 0}};
   }
   const std::string extension = extensionOf(virtual_name);
   if (extension == ".spv") {
-    return Error{ErrorKind::kInput, "source.not_spirv",
-                 "the file is called .spv but does not begin with SPIR-V's magic number 0x07230203; give a SPIR-V "
-                 "binary, or call GLSL .vert or .frag and assembler text .spvasm", {virtual_name, 0, 0}};
+    return Error{
+        ErrorKind::kInput,
+        "source.not_spirv",
+        "the file is called .spv but does not begin with SPIR-V's magic number 0x07230203; give a SPIR-V "
+        "binary, or call GLSL .vert or .frag and assembler text .spvasm",
+        {virtual_name, 0, 0}};
   }
   if (extension == ".spvasm") return compileAssembly(text, virtual_name, options);
   return compileGlsl(text, virtual_name, options);

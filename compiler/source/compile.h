@@ -1,16 +1,18 @@
 // From a shader file to a SPIR-V module with names and line numbers (stage 1).
 //
-// GLSL is translated by glslang for Vulkan 1.1, SPIR-V 1.3, without any optimization, so that every value can be traced to
-// its line (OpLine) and its name (OpName). SPIR-V binaries are known by their magic number, whatever the file is called, and
-// pass through unchanged after validation; text of the SPIR-V assembler is known by the suffix .spvasm. All SPIR-V that
-// leaves here has passed the validator.
+// GLSL is translated by glslang for Vulkan 1.1, SPIR-V 1.3, without any optimization, so that every value can
+// be traced to its line (OpLine) and its name (OpName). SPIR-V binaries are known by their magic number,
+// whatever the file is called, and pass through unchanged after validation; text of the SPIR-V assembler is
+// known by the suffix .spvasm. All SPIR-V that leaves here has passed the validator.
 //
-// `#include "file"` and `#include <file>` work with and without GL_GOOGLE_include_directive. The quoted form looks beside
-// the including file first, both look through include_dirs in order. A file that includes itself, directly or not, is an
-// error: GLSL has no #pragma once, and include guards do not hide a real cycle here.
+// `#include "file"` and `#include <file>` work with and without GL_GOOGLE_include_directive. The quoted form
+// looks beside the including file first, both look through include_dirs in order. A cycle of includes that no
+// include guard ends is an error.
 //
-// Known limits: columns are found by looking for the reported token in its line, so they name its first occurrence and are
-// 0 where glslang reports no token. OpLine carries lines, no columns, and the source line of a macro's use.
+// Known limits: columns are found by looking for the reported token in its line, so they name its first
+// occurrence and are 0 where glslang reports no token (an unexpected identifier is one). glslang stops at the
+// first error of most kinds. OpLine has columns for functions only, and the line of a macro's use. glslang
+// recurses over expressions: one of more than some 10,000 terms overflows an 8 MiB stack.
 #pragma once
 
 #include <cstdint>
@@ -31,13 +33,14 @@ enum class ShaderStage { kVertex, kFragment };
 const char* nameOf(ShaderStage stage);
 
 struct CompileOptions {
-  // The stage wanted. Without it: .vert and .vs are vertex, .frag and .fs are fragment (also before .glsl, .spv and
-  // .spvasm), and SPIR-V tells its own stage.
+  // The stage wanted. Without it: .vert and .vs are vertex, .frag and .fs are fragment (also before .glsl,
+  // .spv and .spvasm), and SPIR-V tells its own stage.
   std::optional<ShaderStage> stage;
-  std::vector<std::filesystem::path> include_dirs;              // -I, in order
-  std::vector<std::pair<std::string, std::string>> defines;     // -D name, value; the value may be empty
-  std::string entry_point = "main";                             // of SPIR-V input; GLSL always has main
-  // -std=: "450", "450core", "310es"; overrides the #version line. Empty: as the file says, 450 if it says nothing.
+  std::vector<std::filesystem::path> include_dirs;           // -I, in order
+  std::vector<std::pair<std::string, std::string>> defines;  // -D name, value; the value may be empty
+  std::string entry_point = "main";                          // of SPIR-V input; GLSL always has main
+  // -std=: "450", "450core", "310es"; overrides the #version line. Empty: as the file says, 450 if it says
+  // nothing.
   std::string standard;
 };
 
@@ -49,26 +52,28 @@ struct SourceFile {
 struct CompiledShader {
   ShaderStage stage = ShaderStage::kFragment;
   std::vector<std::uint32_t> words;
-  std::string main_path;                  // as given
-  std::vector<std::string> dependencies;  // included files in order of first inclusion, each once; without main_path
+  std::string main_path;  // as given
+  std::vector<std::string> dependencies;  // included files by first inclusion, each once; without main_path
   std::vector<SourceFile> sources;        // main_path and the dependencies; empty for SPIR-V binaries
 };
 
-// Reads and compiles a file; "-" is standard input. Errors, all kInput, with the place where it is known:
+// Reads and compiles a file; "-" is standard input. Errors, kInput where not said otherwise, with the place
+// where it is known:
 //   file.missing, file.unreadable
 //   source.empty        no text or only white space and comments
 //   source.syntax       the first error of the compiler; further ones follow in the message, one a line
 //   source.include      an included file that is not there (names the directories searched) or a cycle
-//   source.stage        the stage cannot be told, is none of the two, or is not the stage wanted (says found and expected)
-//   source.standard     an unknown -std
+//   source.stage        the stage cannot be told, is none of the two, or is not the one wanted (says both)
+//   source.standard     an unknown -std (kUsage)
+//   source.define       a -D whose name is no identifier or whose value has several lines (kUsage)
 //   source.not_spirv    called .spv but no SPIR-V
 //   source.truncated    SPIR-V that ends in the middle of an instruction or of a word
 //   source.invalid      SPIR-V that the validator rejects, or assembler text that does not assemble
 //   source.entry_point  SPIR-V without the wanted entry point (lists those that it has)
 Result<CompiledShader> compile(const std::filesystem::path& file, const CompileOptions& options);
 
-// The same for text (or the bytes of a module) in memory. virtual_name stands for the file in messages, in debug
-// information, for the suffix, and for where quoted includes are looked for.
+// The same for text (or the bytes of a module) in memory. virtual_name stands for the file in messages, in
+// debug information, for the suffix, and for where quoted includes are looked for.
 Result<CompiledShader> compileText(std::string_view text, const std::string& virtual_name,
                                    const CompileOptions& options);
 

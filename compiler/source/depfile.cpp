@@ -28,9 +28,11 @@ std::string escaped(std::string_view name) {
 
 Result<void> refuseLineBreaks(const std::string& name) {
   if (name.find_first_of("\n\r") == std::string::npos && !name.empty()) return {};
-  return Error{ErrorKind::kInput, "depfile.name",
-               "the name \"" + name + "\" is empty or holds a line break and cannot be written in a dependency file",
-               {}};
+  return Error{
+      ErrorKind::kInput,
+      "depfile.name",
+      "the name \"" + name + "\" is empty or holds a line break and cannot be written in a dependency file",
+      {}};
 }
 
 }  // namespace

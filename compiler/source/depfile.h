@@ -1,7 +1,7 @@
 // Dependencies for make and ninja: "target: main include...", as -MD writes it.
 //
-// Spaces and '#' are escaped with a backslash, '$' is doubled, backslashes before a space are doubled, as GCC does; names
-// with line breaks cannot be written in this syntax and are refused.
+// Spaces and '#' are escaped with a backslash, '$' is doubled, backslashes before a space are doubled, as GCC
+// does; names with line breaks cannot be written in this syntax and are refused.
 #pragma once
 
 #include <filesystem>

@@ -25,7 +25,9 @@ class GlslangProcess {
   GlslangProcess& operator=(const GlslangProcess&) = delete;
 };
 
-void initializeOnce() { static const GlslangProcess process; }
+void initializeOnce() {
+  static const GlslangProcess process;
+}
 
 class Includer : public glslang::TShader::Includer {
  public:
@@ -46,7 +48,8 @@ class Includer : public glslang::TShader::Includer {
  private:
   static IncludeResult* handOver(const SourceFile* file) {
     if (file == nullptr) return nullptr;
-    return std::make_unique<IncludeResult>(file->path, file->text.data(), file->text.size(), nullptr).release();
+    return std::make_unique<IncludeResult>(file->path, file->text.data(), file->text.size(), nullptr)
+        .release();
   }
 
   IncludeResolver& resolver_;
@@ -60,11 +63,13 @@ struct Standard {
 
 Result<Standard> standardOf(const std::string& spelling) {
   if (spelling.empty()) return Standard{};
-  constexpr std::array<int, 16> kDesktop = {110, 120, 130, 140, 150, 330, 400, 410, 420, 430, 440, 450, 460, 0, 0, 0};
+  constexpr std::array<int, 16> kDesktop = {110, 120, 130, 140, 150, 330, 400, 410,
+                                            420, 430, 440, 450, 460, 0,   0,   0};
   constexpr std::array<int, 3> kEmbedded = {300, 310, 320};
   std::size_t digits = 0;
   int version = 0;
-  while (digits < spelling.size() && digits < 3 && std::isdigit(static_cast<unsigned char>(spelling[digits]))) {
+  while (digits < spelling.size() && digits < 3 &&
+         std::isdigit(static_cast<unsigned char>(spelling[digits]))) {
     version = version * 10 + (spelling[digits++] - '0');
   }
   const std::string profile = spelling.substr(digits);
@@ -73,25 +78,31 @@ Result<Standard> standardOf(const std::string& spelling) {
   if (desktop && (profile.empty() || profile == "core")) {
     return Standard{version, version >= 150 ? ECoreProfile : ENoProfile, true};
   }
-  if (desktop && version >= 150 && profile == "compatibility") return Standard{version, ECompatibilityProfile, true};
+  if (desktop && version >= 150 && profile == "compatibility")
+    return Standard{version, ECompatibilityProfile, true};
   if (embedded && profile == "es") return Standard{version, EEsProfile, true};
-  return Error{ErrorKind::kUsage, "source.standard",
-               "-std=" + spelling + " is no GLSL version; expected a number from 110 to 460 with core, compatibility "
-               "or es after it where wanted, such as 450, 450core or 310es", {}};
+  return Error{ErrorKind::kUsage,
+               "source.standard",
+               "-std=" + spelling +
+                   " is no GLSL version; expected a number from 110 to 460 with core, compatibility "
+                   "or es after it where wanted, such as 450, 450core or 310es",
+               {}};
 }
 
 // Text that is read before the shader. It does not shift the shader's lines.
 Result<std::string> preambleOf(const CompileOptions& options) {
   std::string preamble = "#extension GL_GOOGLE_include_directive : require\n";
   for (const auto& [name, value] : options.defines) {
-    const bool identifier =
-        !name.empty() && std::isdigit(static_cast<unsigned char>(name.front())) == 0 &&
-        std::all_of(name.begin(), name.end(),
-                    [](unsigned char c) { return c < 128 && (std::isalnum(c) != 0 || c == '_'); });
+    const bool identifier = !name.empty() && std::isdigit(static_cast<unsigned char>(name.front())) == 0 &&
+                            std::all_of(name.begin(), name.end(), [](unsigned char c) {
+                              return c < 128 && (std::isalnum(c) != 0 || c == '_');
+                            });
     if (!identifier || value.find_first_of("\n\r") != std::string::npos) {
-      return Error{ErrorKind::kUsage, "source.define",
-                   "-D" + name + " cannot be defined: expected an identifier and a value of one line, as -DOCTAVES=5",
-                   {}};
+      return Error{
+          ErrorKind::kUsage,
+          "source.define",
+          "-D" + name + " cannot be defined: expected an identifier and a value of one line, as -DOCTAVES=5",
+          {}};
     }
     preamble += "#define " + name + " " + value + "\n";
   }
@@ -105,7 +116,8 @@ Result<void> refuseNul(std::string_view text, const std::string& name) {
   const std::string_view before = text.substr(0, at);
   const int line = static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1;
   const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
-  return Error{ErrorKind::kInput, "source.syntax",
+  return Error{ErrorKind::kInput,
+               "source.syntax",
                "found a NUL byte; expected GLSL text or a SPIR-V binary (which begins with 0x07230203)",
                {name, line, static_cast<int>(at - line_start) + 1}};
 }
@@ -135,8 +147,8 @@ Result<CompiledShader> translateGlsl(std::string_view text, const std::string& n
   initializeOnce();
 
   const EShLanguage language = stage == ShaderStage::kVertex ? EShLangVertex : EShLangFragment;
-  constexpr auto kMessages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules | EShMsgEnhanced |
-                                                      EShMsgSuppressWarnings);
+  constexpr auto kMessages =
+      static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules | EShMsgEnhanced | EShMsgSuppressWarnings);
   // The program refers to the shader and is destroyed before it.
   glslang::TShader shader(language);
   const std::string whole(text);

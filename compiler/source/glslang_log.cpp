@@ -18,15 +18,17 @@ struct LoggedError {
 
 // glslang's grammar names of punctuation; keywords are named by their own spelling in capitals.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 24> kPunctuation = {{
-    {"LEFT_PAREN", "("},   {"RIGHT_PAREN", ")"},   {"LEFT_BRACKET", "["}, {"RIGHT_BRACKET", "]"},
-    {"LEFT_BRACE", "{"},   {"RIGHT_BRACE", "}"},   {"COMMA", ","},        {"SEMICOLON", ";"},
-    {"COLON", ":"},        {"EQUAL", "="},         {"BANG", "!"},         {"DASH", "-"},
-    {"TILDE", "~"},        {"PLUS", "+"},          {"STAR", "*"},         {"SLASH", "/"},
-    {"PERCENT", "%"},      {"LEFT_ANGLE", "<"},    {"RIGHT_ANGLE", ">"},  {"VERTICAL_BAR", "|"},
-    {"CARET", "^"},        {"AMPERSAND", "&"},     {"QUESTION", "?"},     {"DOT", "."},
+    {"LEFT_PAREN", "("}, {"RIGHT_PAREN", ")"}, {"LEFT_BRACKET", "["}, {"RIGHT_BRACKET", "]"},
+    {"LEFT_BRACE", "{"}, {"RIGHT_BRACE", "}"}, {"COMMA", ","},        {"SEMICOLON", ";"},
+    {"COLON", ":"},      {"EQUAL", "="},       {"BANG", "!"},         {"DASH", "-"},
+    {"TILDE", "~"},      {"PLUS", "+"},        {"STAR", "*"},         {"SLASH", "/"},
+    {"PERCENT", "%"},    {"LEFT_ANGLE", "<"},  {"RIGHT_ANGLE", ">"},  {"VERTICAL_BAR", "|"},
+    {"CARET", "^"},      {"AMPERSAND", "&"},   {"QUESTION", "?"},     {"DOT", "."},
 }};
 
-bool isWordCharacter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool isWordCharacter(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
 
 std::string trimmed(std::string_view text) {
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);
@@ -49,7 +51,8 @@ int columnOf(std::string_view line, std::string_view token) {
   for (std::size_t at = line.find(token); at != std::string_view::npos; at = line.find(token, at + 1)) {
     const std::size_t end = at + token.size();
     const bool joined_before = at > 0 && isWordCharacter(token.front()) && isWordCharacter(line[at - 1]);
-    const bool joined_after = end < line.size() && isWordCharacter(token.back()) && isWordCharacter(line[end]);
+    const bool joined_after =
+        end < line.size() && isWordCharacter(token.back()) && isWordCharacter(line[end]);
     if (!joined_before && !joined_after) return static_cast<int>(at) + 1;
   }
   return 0;
@@ -139,13 +142,15 @@ Error errorOfLog(std::string_view log, const std::string& main_path, std::span<c
     std::string_view line = log.substr(0, end);
     log.remove_prefix(std::min(end + 1, log.size()));
     // The closing "N compilation errors" and "compilation terminated" repeat what is known.
-    if (!line.starts_with(kPrefix) || line.find(" compilation errors.  No code generated.") != std::string_view::npos ||
+    if (!line.starts_with(kPrefix) ||
+        line.find(" compilation errors.  No code generated.") != std::string_view::npos ||
         line.find("compilation terminated") != std::string_view::npos) {
       continue;
     }
     errors.push_back(readError(line.substr(kPrefix.size()), sources));
   }
-  Error error{ErrorKind::kInput, "source.syntax", "glslang rejects the shader without saying why", {main_path, 0, 0}};
+  Error error{
+      ErrorKind::kInput, "source.syntax", "glslang rejects the shader without saying why", {main_path, 0, 0}};
   if (errors.empty()) return error;
   const auto placed = std::find_if(errors.begin(), errors.end(),
                                    [](const LoggedError& logged) { return logged.place.line > 0; });

@@ -30,9 +30,10 @@ const SourceFile* IncludeResolver::openFromDirectories(const std::string& name, 
     if (const SourceFile* file = open((directory / name).lexically_normal())) return file;
   }
   if (failure_) return nullptr;
-  std::string searched = shown(directoryOf(includer)) + " (if the name is quoted)";
+  std::string searched = "beside the including file in " + shown(directoryOf(includer)) + " for quoted names";
   for (const std::filesystem::path& directory : include_dirs_) searched += ", " + shown(directory);
-  failure_ = Error{ErrorKind::kInput, "source.include",
+  failure_ = Error{ErrorKind::kInput,
+                   "source.include",
                    "the included file \"" + name + "\" was not found; searched " + searched +
                        "; add its directory with -I or correct the name",
                    {includer, 0, 0}};
@@ -42,8 +43,8 @@ const SourceFile* IncludeResolver::openFromDirectories(const std::string& name, 
 const SourceFile* IncludeResolver::open(const std::filesystem::path& path) {
   if (failure_) return nullptr;
   const std::string name = path.string();
-  auto known = std::find_if(files_.begin(), files_.end(),
-                            [&](const SourceFile& file) { return file.path == name; });
+  auto known =
+      std::find_if(files_.begin(), files_.end(), [&](const SourceFile& file) { return file.path == name; });
   if (known == files_.end()) {
     std::error_code unknown;
     if (!std::filesystem::is_regular_file(path, unknown)) return nullptr;
@@ -78,7 +79,8 @@ void IncludeResolver::failCycle(const std::string& path) {
     chain += (chain.empty() ? "" : " includes ") + open_paths_[i];
   }
   const std::string includer = open_paths_.size() > 1 ? open_paths_[open_paths_.size() - 2] : main_path_;
-  failure_ = Error{ErrorKind::kInput, "source.include",
+  failure_ = Error{ErrorKind::kInput,
+                   "source.include",
                    "including \"" + path + "\" does not end: more than " + std::to_string(kMaxIncludeDepth) +
                        " nested includes or " + std::to_string(kMaxIncludeBytes >> 20) +
                        " MiB of included text (... " + chain + "); break the cycle or add include guards",

@@ -1,8 +1,9 @@
 // Finds the files that #include directives name, keeps their texts, and remembers why one was not found.
 //
-// Quoted names are looked for beside the including file first; then, as bracketed names, in the include directories in
-// order. Nesting deeper than kMaxIncludeDepth is taken for a cycle, as is a shader whose includes exceed kMaxIncludeBytes
-// altogether (two files that include each other twice grow without end before they grow deep).
+// Quoted names are looked for beside the including file first; then, as bracketed names, in the include
+// directories in order. Nesting deeper than kMaxIncludeDepth is taken for a cycle, as is a shader whose
+// includes exceed kMaxIncludeBytes altogether (two files that include each other twice grow without end
+// before they grow deep).
 #pragma once
 
 #include <cstddef>
@@ -23,9 +24,9 @@ class IncludeResolver {
  public:
   IncludeResolver(std::string main_path, std::vector<std::filesystem::path> include_dirs);
 
-  // The file for `name`, which stays valid as long as the resolver; null if it is not beside `includer` (or, from the
-  // second function, in no include directory) or if an earlier include failed. Each file returned counts as open until
-  // close() is called; the last opened is closed first.
+  // The file for `name`, which stays valid as long as the resolver; null if it is not beside `includer` (or,
+  // from the second function, in no include directory) or if an earlier include failed. Each file returned
+  // counts as open until close() is called; the last opened is closed first.
   const SourceFile* openBeside(const std::string& name, const std::string& includer);
   const SourceFile* openFromDirectories(const std::string& name, const std::string& includer);
   void close();

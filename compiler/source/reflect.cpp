@@ -9,7 +9,9 @@
 namespace reprise {
 namespace {
 
-Error interfaceError(const std::string& message) { return {ErrorKind::kInput, "source.interface", message, {}}; }
+Error interfaceError(const std::string& message) {
+  return {ErrorKind::kInput, "source.interface", message, {}};
+}
 
 std::string slotText(const StageSlot& slot) {
   std::string text = slot.type + " \"" + slot.name + "\" at location " + std::to_string(slot.location);
@@ -19,9 +21,10 @@ std::string slotText(const StageSlot& slot) {
 
 Result<void> matchSlots(const StageInterface& vertex, const StageInterface& fragment) {
   for (const StageSlot& input : fragment.inputs) {
-    const auto output = std::find_if(vertex.outputs.begin(), vertex.outputs.end(), [&](const StageSlot& slot) {
-      return slot.location == input.location && slot.component == input.component;
-    });
+    const auto output =
+        std::find_if(vertex.outputs.begin(), vertex.outputs.end(), [&](const StageSlot& slot) {
+          return slot.location == input.location && slot.component == input.component;
+        });
     if (output != vertex.outputs.end() && output->type == input.type) continue;
     std::string found = "nothing there";
     if (output != vertex.outputs.end()) {
@@ -31,8 +34,8 @@ Result<void> matchSlots(const StageInterface& vertex, const StageInterface& frag
                                          [&](const StageSlot& slot) { return slot.name == input.name; });
       if (namesake != vertex.outputs.end()) found += ", but " + slotText(*namesake);
     }
-    return interfaceError("the fragment shader reads " + slotText(input) + "; the vertex shader writes " + found +
-                          "; location, component and type must agree");
+    return interfaceError("the fragment shader reads " + slotText(input) + "; the vertex shader writes " +
+                          found + "; location, component and type must agree");
   }
   return {};
 }
@@ -43,12 +46,18 @@ bool isPrefix(const std::vector<BlockMember>& shorter, const std::vector<BlockMe
 
 std::string kindText(DescriptorKind kind) {
   switch (kind) {
-    case DescriptorKind::kUniformBlock: return "uniform block";
-    case DescriptorKind::kStorageBlock: return "storage block";
-    case DescriptorKind::kCombinedImageSampler: return "combined image sampler";
-    case DescriptorKind::kSampledImage: return "sampled image";
-    case DescriptorKind::kSampler: return "sampler";
-    case DescriptorKind::kStorageImage: return "storage image";
+    case DescriptorKind::kUniformBlock:
+      return "uniform block";
+    case DescriptorKind::kStorageBlock:
+      return "storage block";
+    case DescriptorKind::kCombinedImageSampler:
+      return "combined image sampler";
+    case DescriptorKind::kSampledImage:
+      return "sampled image";
+    case DescriptorKind::kSampler:
+      return "sampler";
+    case DescriptorKind::kStorageImage:
+      return "storage image";
   }
   return "descriptor";
 }
@@ -62,14 +71,14 @@ std::string stageText(std::uint32_t stages) {
 // Merges `other` into `descriptor`, which has the same set and binding.
 Result<void> mergeDescriptor(Descriptor& descriptor, const Descriptor& other) {
   const bool longer = descriptor.members.size() < other.members.size();
-  const bool members_agree = longer ? isPrefix(descriptor.members, other.members)
-                                    : isPrefix(other.members, descriptor.members);
+  const bool members_agree =
+      longer ? isPrefix(descriptor.members, other.members) : isPrefix(other.members, descriptor.members);
   const bool agree = descriptor.kind == other.kind && descriptor.dimension == other.dimension &&
                      descriptor.count == other.count && members_agree;
   if (!agree) {
     return interfaceError("set " + std::to_string(descriptor.set) + " binding " +
-                          std::to_string(descriptor.binding) + " is the " + kindText(descriptor.kind) + " \"" +
-                          descriptor.name + "\" in " + stageText(descriptor.stages) + " and the " +
+                          std::to_string(descriptor.binding) + " is the " + kindText(descriptor.kind) +
+                          " \"" + descriptor.name + "\" in " + stageText(descriptor.stages) + " and the " +
                           kindText(other.kind) + " \"" + other.name + "\" in " + stageText(other.stages) +
                           ", with another count or members; declare it the same in both");
   }
@@ -79,7 +88,8 @@ Result<void> mergeDescriptor(Descriptor& descriptor, const Descriptor& other) {
   return {};
 }
 
-Result<std::vector<Descriptor>> mergeDescriptors(const StageInterface& vertex, const StageInterface& fragment) {
+Result<std::vector<Descriptor>> mergeDescriptors(const StageInterface& vertex,
+                                                 const StageInterface& fragment) {
   std::vector<Descriptor> merged;
   for (const StageInterface* stage : {&vertex, &fragment}) {
     for (const Descriptor& descriptor : stage->descriptors) {
@@ -108,19 +118,20 @@ Result<std::vector<Descriptor>> mergeDescriptors(const StageInterface& vertex, c
 
 std::uint32_t endOf(const BlockMember& member) {
   const int vectors = member.row_major ? member.rows : member.columns;
-  const std::uint32_t one = member.columns == 1
-                                ? 4u * static_cast<std::uint32_t>(member.rows)
-                                : member.matrix_stride * static_cast<std::uint32_t>(vectors);
+  const std::uint32_t one = member.columns == 1 ? 4u * static_cast<std::uint32_t>(member.rows)
+                                                : member.matrix_stride * static_cast<std::uint32_t>(vectors);
   return member.offset + (member.array_length == 0 ? one : member.array_stride * member.array_length);
 }
 
-Result<void> mergePushConstants(const StageInterface& vertex, const StageInterface& fragment, ShaderInterface& out) {
-  out.push_constant_name = vertex.push_constant_name.empty() ? fragment.push_constant_name : vertex.push_constant_name;
+Result<void> mergePushConstants(const StageInterface& vertex, const StageInterface& fragment,
+                                ShaderInterface& out) {
+  out.push_constant_name =
+      vertex.push_constant_name.empty() ? fragment.push_constant_name : vertex.push_constant_name;
   out.push_constants = vertex.push_constants;
   out.push_constant_members = vertex.push_constant_members;
   for (const BlockMember& member : fragment.push_constant_members) {
-    const auto overlapping =
-        std::find_if(out.push_constant_members.begin(), out.push_constant_members.end(), [&](const BlockMember& other) {
+    const auto overlapping = std::find_if(
+        out.push_constant_members.begin(), out.push_constant_members.end(), [&](const BlockMember& other) {
           return member.offset < endOf(other) && other.offset < endOf(member);
         });
     if (overlapping == out.push_constant_members.end()) {
@@ -140,7 +151,8 @@ Result<void> mergePushConstants(const StageInterface& vertex, const StageInterfa
       continue;
     }
     PushConstantRange& first = out.push_constants.front();
-    const bool overlap = range.offset < first.offset + first.size_bytes && first.offset < range.offset + range.size_bytes;
+    const bool overlap =
+        range.offset < first.offset + first.size_bytes && first.offset < range.offset + range.size_bytes;
     if (overlap) {
       const std::uint32_t end = std::max(first.offset + first.size_bytes, range.offset + range.size_bytes);
       first.offset = std::min(first.offset, range.offset);

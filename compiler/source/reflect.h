@@ -1,11 +1,12 @@
 // What a pair of shaders expects from its application, read from SPIR-V with SPIRV-Cross.
 //
-// Blocks bear the name of their type (`uniform Scene {...} scene;` is "Scene"), as in scenario files ("Scene.member"); the
-// instance's name where the type has none. Images and samplers bear the variable's name. Members are flattened as
-// interface.h says; offsets are those of the module. Only what the entry point's code statically refers to is listed.
-// The stages must agree on a binding that both use, names of members included; one block may be the beginning of the other.
-// Sizes of blocks are rounded up to 16 bytes. Push constants of both stages become one list of members; their ranges are
-// one range with both stage bits where they overlap, so that a push of each range with its stages is always valid.
+// Blocks bear the name of their type (`uniform Scene {...} scene;` is "Scene"), as in scenario files
+// ("Scene.member"); the instance's name where the type has none. Images and samplers bear the variable's
+// name. Members are flattened as interface.h says; offsets are those of the module. Only what the entry
+// point's code statically refers to is listed. The stages must agree on a binding that both use, names of
+// members included; one block may be the beginning of the other. Sizes of blocks are rounded up to 16 bytes.
+// Push constants of both stages become one list of members; their ranges are one range with both stage bits
+// where they overlap, so that a push of each range with its stages is always valid.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +18,11 @@
 namespace reprise {
 
 // Both modules must have passed the validator and have one entry point of their stage. Errors (kInput):
-//   source.interface    a fragment input without a vertex output of the same location, component and type, or a binding that
-//                       the stages declare differently; says both
-//   source.unsupported  what interface.h cannot describe: unsized or multi-dimensional descriptor arrays, input attachments,
-//                       texel buffers, 16- and 64-bit members, matrix or 64-bit vertex inputs, other stages
+//   source.interface    a fragment input without a vertex output of the same location, component and type, or
+//                       a binding or push constant that the stages declare differently; says both
+//   source.unsupported  what interface.h cannot describe: unsized or multi-dimensional descriptor arrays, input
+//                       attachments, texel buffers, 16- and 64-bit members, matrix or 64-bit vertex inputs
+//   source.stage        a module without an entry point of its stage
 //   source.invalid      the module cannot be read
 Result<ShaderInterface> reflectInterface(std::span<const std::uint32_t> vertex_words,
                                          std::span<const std::uint32_t> fragment_words);

@@ -23,14 +23,22 @@ struct FoundEntry {
 
 std::string stageText(spv::ExecutionModel model) {
   switch (model) {
-    case spv::ExecutionModel::Vertex: return "vertex";
-    case spv::ExecutionModel::Fragment: return "fragment";
-    case spv::ExecutionModel::TessellationControl: return "tessellation control";
-    case spv::ExecutionModel::TessellationEvaluation: return "tessellation evaluation";
-    case spv::ExecutionModel::Geometry: return "geometry";
-    case spv::ExecutionModel::GLCompute: return "compute";
-    case spv::ExecutionModel::Kernel: return "kernel";
-    default: return "number " + std::to_string(static_cast<std::uint32_t>(model));
+    case spv::ExecutionModel::Vertex:
+      return "vertex";
+    case spv::ExecutionModel::Fragment:
+      return "fragment";
+    case spv::ExecutionModel::TessellationControl:
+      return "tessellation control";
+    case spv::ExecutionModel::TessellationEvaluation:
+      return "tessellation evaluation";
+    case spv::ExecutionModel::Geometry:
+      return "geometry";
+    case spv::ExecutionModel::GLCompute:
+      return "compute";
+    case spv::ExecutionModel::Kernel:
+      return "kernel";
+    default:
+      return "number " + std::to_string(static_cast<std::uint32_t>(model));
   }
 }
 
@@ -55,28 +63,34 @@ Result<std::vector<FoundEntry>> walk(const std::vector<std::uint32_t>& words, co
     const std::size_t length = words[at] >> 16;
     const auto opcode = static_cast<spv::Op>(words[at] & 0xffffu);
     if (length == 0) {
-      return Error{ErrorKind::kInput, "source.invalid",
-                   "found an instruction of length 0 at word " + std::to_string(at) + "; the module is damaged",
-                   {name, 0, 0}};
+      return Error{
+          ErrorKind::kInput,
+          "source.invalid",
+          "found an instruction of length 0 at word " + std::to_string(at) + "; the module is damaged",
+          {name, 0, 0}};
     }
     if (length > words.size() - at) {
-      return Error{ErrorKind::kInput, "source.truncated",
+      return Error{ErrorKind::kInput,
+                   "source.truncated",
                    "the module ends after " + std::to_string(words.size()) +
-                       " words in the middle of an instruction that needs " + std::to_string(length) + " words from " +
-                       std::to_string(at) + " on; give the whole file",
+                       " words in the middle of an instruction that needs " + std::to_string(length) +
+                       " words from " + std::to_string(at) + " on; give the whole file",
                    {name, 0, 0}};
     }
     if (opcode == spv::Op::OpFunction) function_open = true;
     if (opcode == spv::Op::OpFunctionEnd) function_open = false;
     if (opcode == spv::Op::OpEntryPoint && length > 3) {
-      entries.push_back({literalString(words, at + 3, at + length), static_cast<spv::ExecutionModel>(words[at + 1])});
+      entries.push_back(
+          {literalString(words, at + 3, at + length), static_cast<spv::ExecutionModel>(words[at + 1])});
     }
     at += length;
   }
   if (function_open) {
-    return Error{ErrorKind::kInput, "source.truncated",
+    return Error{ErrorKind::kInput,
+                 "source.truncated",
                  "the module ends after " + std::to_string(words.size()) +
-                     " words within a function; give the whole file", {name, 0, 0}};
+                     " words within a function; give the whole file",
+                 {name, 0, 0}};
   }
   return entries;
 }
@@ -88,20 +102,25 @@ Result<ShaderStage> chooseStage(const std::vector<FoundEntry>& entries, const st
   for (const FoundEntry& entry : entries) {
     listed += (listed.empty() ? "\"" : ", \"") + entry.name + "\" (" + stageText(entry.model) + ")";
     if (entry.name != options.entry_point) continue;
-    const bool wanted = (entry.model == spv::ExecutionModel::Vertex && options.stage == ShaderStage::kVertex) ||
-                        (entry.model == spv::ExecutionModel::Fragment && options.stage == ShaderStage::kFragment);
+    const bool wanted =
+        (entry.model == spv::ExecutionModel::Vertex && options.stage == ShaderStage::kVertex) ||
+        (entry.model == spv::ExecutionModel::Fragment && options.stage == ShaderStage::kFragment);
     if (!found || wanted) found = entry.model;
   }
   if (!found) {
-    return Error{ErrorKind::kInput, "source.entry_point",
+    return Error{ErrorKind::kInput,
+                 "source.entry_point",
                  "the module has no entry point \"" + options.entry_point + "\"; it has " +
-                     (listed.empty() ? "none" : listed), {file, 0, 0}};
+                     (listed.empty() ? "none" : listed),
+                 {file, 0, 0}};
   }
   const std::string expected = options.stage ? nameOf(*options.stage) : "vertex or fragment";
   const std::string text = stageText(*found);
   if (text != expected && (options.stage || (text != "vertex" && text != "fragment"))) {
-    return Error{ErrorKind::kInput, "source.stage",
-                 "found a " + text + " shader; expected a " + expected + " shader", {file, 0, 0}};
+    return Error{ErrorKind::kInput,
+                 "source.stage",
+                 "found a " + text + " shader; expected a " + expected + " shader",
+                 {file, 0, 0}};
   }
   return *found == spv::ExecutionModel::Vertex ? ShaderStage::kVertex : ShaderStage::kFragment;
 }
@@ -115,11 +134,14 @@ bool looksLikeSpirv(std::string_view bytes) {
   return first == spv::MagicNumber || first == kSwappedMagic;
 }
 
-Result<CompiledShader> readSpirv(std::string_view bytes, const std::string& name, const CompileOptions& options) {
+Result<CompiledShader> readSpirv(std::string_view bytes, const std::string& name,
+                                 const CompileOptions& options) {
   if (bytes.size() % 4 != 0 || bytes.size() < kHeaderWords * 4) {
-    return Error{ErrorKind::kInput, "source.truncated",
+    return Error{ErrorKind::kInput,
+                 "source.truncated",
                  "the module has " + std::to_string(bytes.size()) +
-                     " bytes; expected a multiple of 4 and at least 20; give the whole file", {name, 0, 0}};
+                     " bytes; expected a multiple of 4 and at least 20; give the whole file",
+                 {name, 0, 0}};
   }
   CompiledShader shader;
   shader.main_path = name;
@@ -131,8 +153,10 @@ Result<CompiledShader> readSpirv(std::string_view bytes, const std::string& name
   REPRISE_ASSIGN(const std::vector<FoundEntry> entries, walk(shader.words, name));
   const Result<void> valid = validateModule(shader.words);
   if (!valid) {
-    return Error{ErrorKind::kInput, "source.invalid",
-                 "the SPIR-V validator rejects the module: " + valid.error().message, {name, 0, 0}};
+    return Error{ErrorKind::kInput,
+                 "source.invalid",
+                 "the SPIR-V validator rejects the module: " + valid.error().message,
+                 {name, 0, 0}};
   }
   REPRISE_ASSIGN(shader.stage, chooseStage(entries, name, options));
   return shader;

@@ -1,4 +1,5 @@
-// SPIR-V binaries as users give them: told from other bytes, brought to host order, checked, their stage found.
+// SPIR-V binaries as users give them: told from other bytes, brought to host order, checked, their stage
+// found.
 #pragma once
 
 #include <string>
@@ -12,6 +13,7 @@ namespace reprise {
 bool looksLikeSpirv(std::string_view bytes);
 
 // Errors: source.truncated, source.invalid, source.entry_point, source.stage; all placed in the file `name`.
-Result<CompiledShader> readSpirv(std::string_view bytes, const std::string& name, const CompileOptions& options);
+Result<CompiledShader> readSpirv(std::string_view bytes, const std::string& name,
+                                 const CompileOptions& options);
 
 }  // namespace reprise

@@ -15,32 +15,65 @@ using spirv_cross::Compiler;
 using spirv_cross::Resource;
 using spirv_cross::SPIRType;
 
-Error unsupported(const std::string& message) { return {ErrorKind::kInput, "source.unsupported", message, {}}; }
+Error unsupported(const std::string& message) {
+  return {ErrorKind::kInput, "source.unsupported", message, {}};
+}
 
 std::string typeText(const SPIRType& type) {
   std::string scalar;
   std::string prefix;
   switch (type.basetype) {
-    case SPIRType::Float: scalar = "float"; break;
-    case SPIRType::Int: scalar = "int"; prefix = "i"; break;
-    case SPIRType::UInt: scalar = "uint"; prefix = "u"; break;
-    case SPIRType::Double: scalar = "double"; prefix = "d"; break;
-    case SPIRType::Half: scalar = "float16_t"; prefix = "f16"; break;
-    case SPIRType::Int64: scalar = "int64_t"; prefix = "i64"; break;
-    case SPIRType::UInt64: scalar = "uint64_t"; prefix = "u64"; break;
-    case SPIRType::Short: scalar = "int16_t"; prefix = "i16"; break;
-    case SPIRType::UShort: scalar = "uint16_t"; prefix = "u16"; break;
-    default: return "an unknown type";
+    case SPIRType::Float:
+      scalar = "float";
+      break;
+    case SPIRType::Int:
+      scalar = "int";
+      prefix = "i";
+      break;
+    case SPIRType::UInt:
+      scalar = "uint";
+      prefix = "u";
+      break;
+    case SPIRType::Double:
+      scalar = "double";
+      prefix = "d";
+      break;
+    case SPIRType::Half:
+      scalar = "float16_t";
+      prefix = "f16";
+      break;
+    case SPIRType::Int64:
+      scalar = "int64_t";
+      prefix = "i64";
+      break;
+    case SPIRType::UInt64:
+      scalar = "uint64_t";
+      prefix = "u64";
+      break;
+    case SPIRType::Short:
+      scalar = "int16_t";
+      prefix = "i16";
+      break;
+    case SPIRType::UShort:
+      scalar = "uint16_t";
+      prefix = "u16";
+      break;
+    default:
+      return "an unknown type";
   }
   return type.vecsize == 1 ? scalar : prefix + "vec" + std::to_string(type.vecsize);
 }
 
 std::optional<ScalarKind> scalarOf(const SPIRType& type) {
   switch (type.basetype) {
-    case SPIRType::Float: return ScalarKind::kFloat;
-    case SPIRType::Int: return ScalarKind::kInt;
-    case SPIRType::UInt: return ScalarKind::kUint;
-    default: return std::nullopt;
+    case SPIRType::Float:
+      return ScalarKind::kFloat;
+    case SPIRType::Int:
+      return ScalarKind::kInt;
+    case SPIRType::UInt:
+      return ScalarKind::kUint;
+    default:
+      return std::nullopt;
   }
 }
 
@@ -50,7 +83,8 @@ std::uint32_t arrayCount(const Compiler& compiler, const SPIRType& type, std::si
 }
 
 // Adds the locations of a value and returns the first location after it.
-std::uint32_t addSlots(const Compiler& compiler, const SPIRType& type, StageSlot slot, std::vector<StageSlot>& slots) {
+std::uint32_t addSlots(const Compiler& compiler, const SPIRType& type, StageSlot slot,
+                       std::vector<StageSlot>& slots) {
   std::uint32_t elements = 1;
   for (std::size_t i = 0; i < type.array.size(); ++i) elements *= arrayCount(compiler, type, i);
   elements = std::min(elements, 256u);  // more locations than any device has
@@ -84,7 +118,8 @@ std::string nameOfVariable(const Compiler& compiler, const Resource& resource) {
   return name.empty() ? resource.name : name;
 }
 
-std::vector<StageSlot> slotsOf(const Compiler& compiler, const spirv_cross::SmallVector<Resource>& resources) {
+std::vector<StageSlot> slotsOf(const Compiler& compiler,
+                               const spirv_cross::SmallVector<Resource>& resources) {
   std::vector<StageSlot> slots;
   for (const Resource& resource : resources) {
     StageSlot slot;
@@ -161,33 +196,42 @@ std::string blockName(const Compiler& compiler, const Resource& resource) {
 }
 
 // What SPIRV-Cross tells of one descriptor, without what depends on its kind.
-Result<Descriptor> commonDescriptor(const Compiler& compiler, const Resource& resource, std::uint32_t stage_bit) {
+Result<Descriptor> commonDescriptor(const Compiler& compiler, const Resource& resource,
+                                    std::uint32_t stage_bit) {
   Descriptor descriptor;
   descriptor.name = nameOfVariable(compiler, resource);
   descriptor.set = compiler.get_decoration(resource.id, spv::DecorationDescriptorSet);
   descriptor.binding = compiler.get_decoration(resource.id, spv::DecorationBinding);
   descriptor.stages = stage_bit;
   const SPIRType& type = compiler.get_type(resource.type_id);
-  if (type.array.size() > 1) return unsupported("\"" + descriptor.name + "\" is an array of arrays of descriptors");
+  if (type.array.size() > 1)
+    return unsupported("\"" + descriptor.name + "\" is an array of arrays of descriptors");
   if (!type.array.empty()) descriptor.count = arrayCount(compiler, type, 0);
-  if (descriptor.count == 0) return unsupported("\"" + descriptor.name + "\" is a descriptor array without a size");
+  if (descriptor.count == 0)
+    return unsupported("\"" + descriptor.name + "\" is a descriptor array without a size");
   return descriptor;
 }
 
 std::optional<ImageDimension> dimensionOf(const SPIRType::ImageType& image) {
   if (image.ms) return std::nullopt;
   switch (image.dim) {
-    case spv::Dim1D: return image.arrayed ? std::nullopt : std::optional(ImageDimension::k1D);
-    case spv::Dim2D: return image.arrayed ? ImageDimension::k2DArray : ImageDimension::k2D;
-    case spv::Dim3D: return ImageDimension::k3D;
-    case spv::DimCube: return image.arrayed ? ImageDimension::kCubeArray : ImageDimension::kCube;
-    default: return std::nullopt;
+    case spv::Dim1D:
+      return image.arrayed ? std::nullopt : std::optional(ImageDimension::k1D);
+    case spv::Dim2D:
+      return image.arrayed ? ImageDimension::k2DArray : ImageDimension::k2D;
+    case spv::Dim3D:
+      return ImageDimension::k3D;
+    case spv::DimCube:
+      return image.arrayed ? ImageDimension::kCubeArray : ImageDimension::kCube;
+    default:
+      return std::nullopt;
   }
 }
 
 class DescriptorList {
  public:
-  DescriptorList(const Compiler& compiler, std::uint32_t stage_bit) : compiler_(compiler), stage_bit_(stage_bit) {}
+  DescriptorList(const Compiler& compiler, std::uint32_t stage_bit)
+      : compiler_(compiler), stage_bit_(stage_bit) {}
 
   Result<void> addBlocks(const spirv_cross::SmallVector<Resource>& resources, DescriptorKind kind) {
     for (const Resource& resource : resources) {
@@ -208,10 +252,12 @@ class DescriptorList {
       REPRISE_ASSIGN(Descriptor descriptor, commonDescriptor(compiler_, resource, stage_bit_));
       descriptor.kind = kind;
       if (kind != DescriptorKind::kSampler) {
-        const std::optional<ImageDimension> dimension = dimensionOf(compiler_.get_type(resource.base_type_id).image);
+        const std::optional<ImageDimension> dimension =
+            dimensionOf(compiler_.get_type(resource.base_type_id).image);
         if (!dimension) {
-          return unsupported("\"" + descriptor.name +
-                             "\" is a texel buffer, a multisampled image or of a dimension that is not supported");
+          return unsupported(
+              "\"" + descriptor.name +
+              "\" is a texel buffer, a multisampled image or of a dimension that is not supported");
         }
         descriptor.dimension = *dimension;
       }
@@ -228,7 +274,8 @@ class DescriptorList {
   std::vector<Descriptor> list_;
 };
 
-Result<std::vector<Descriptor>> descriptorsOf(const Compiler& compiler, const spirv_cross::ShaderResources& resources,
+Result<std::vector<Descriptor>> descriptorsOf(const Compiler& compiler,
+                                              const spirv_cross::ShaderResources& resources,
                                               std::uint32_t stage_bit) {
   for (const auto* refused : {&resources.subpass_inputs, &resources.atomic_counters,
                               &resources.acceleration_structures, &resources.shader_record_buffers}) {
@@ -252,14 +299,16 @@ Result<void> addPushConstants(const Compiler& compiler, const spirv_cross::Small
   if (blocks.empty()) return {};
   const Resource& block = blocks.front();
   out.push_constant_name = blockName(compiler, block);
-  REPRISE_ASSIGN(out.push_constant_members, flattenBlock(compiler, block.base_type_id, out.push_constant_name));
+  REPRISE_ASSIGN(out.push_constant_members,
+                 flattenBlock(compiler, block.base_type_id, out.push_constant_name));
   if (out.push_constant_members.empty()) return {};
   PushConstantRange range;
   range.stages = stage_bit;
   range.offset = out.push_constant_members.front().offset;
-  for (const BlockMember& member : out.push_constant_members) range.offset = std::min(range.offset, member.offset);
-  const auto end = static_cast<std::uint32_t>(
-      compiler.get_declared_struct_size(compiler.get_type(block.base_type_id)));
+  for (const BlockMember& member : out.push_constant_members)
+    range.offset = std::min(range.offset, member.offset);
+  const auto end =
+      static_cast<std::uint32_t>(compiler.get_declared_struct_size(compiler.get_type(block.base_type_id)));
   range.size_bytes = (end - range.offset + 3) / 4 * 4;
   out.push_constants.push_back(range);
   return {};
@@ -268,7 +317,8 @@ Result<void> addPushConstants(const Compiler& compiler, const spirv_cross::Small
 bool hasDiscard(std::span<const std::uint32_t> words) {
   for (std::size_t at = 5; at < words.size() && words[at] >> 16 != 0; at += words[at] >> 16) {
     const std::uint32_t opcode = words[at] & 0xffffu;
-    if (opcode == spv::OpKill || opcode == spv::OpTerminateInvocation || opcode == spv::OpDemoteToHelperInvocation) {
+    if (opcode == spv::OpKill || opcode == spv::OpTerminateInvocation ||
+        opcode == spv::OpDemoteToHelperInvocation) {
       return true;
     }
   }
@@ -281,7 +331,8 @@ Result<void> chooseEntryPoint(Compiler& compiler, spv::ExecutionModel model, con
     if (entry.execution_model == model && (!chosen || entry.name == "main")) chosen = entry.name;
   }
   if (!chosen) {
-    return Error{ErrorKind::kInput, "source.stage", std::string("the module has no ") + stage + " entry point", {}};
+    return Error{
+        ErrorKind::kInput, "source.stage", std::string("the module has no ") + stage + " entry point", {}};
   }
   compiler.set_entry_point(*chosen, model);
   return {};
@@ -292,7 +343,8 @@ Result<StageInterface> reflectWith(Compiler& compiler, ShaderStage stage) {
   REPRISE_TRY(chooseEntryPoint(compiler, vertex ? spv::ExecutionModelVertex : spv::ExecutionModelFragment,
                                nameOf(stage)));
   const std::uint32_t stage_bit = vertex ? kStageVertex : kStageFragment;
-  const spirv_cross::ShaderResources active = compiler.get_shader_resources(compiler.get_active_interface_variables());
+  const spirv_cross::ShaderResources active =
+      compiler.get_shader_resources(compiler.get_active_interface_variables());
   const spirv_cross::ShaderResources declared = compiler.get_shader_resources();
   StageInterface out;
   out.inputs = slotsOf(compiler, active.stage_inputs);
@@ -317,8 +369,10 @@ Result<StageInterface> reflectStage(std::span<const std::uint32_t> words, Shader
     out.discards = stage == ShaderStage::kFragment && hasDiscard(words);
     return out;
   } catch (const std::exception& thrown) {
-    return Error{ErrorKind::kInput, "source.invalid",
-                 std::string("SPIRV-Cross cannot read the ") + nameOf(stage) + " module: " + thrown.what(), {}};
+    return Error{ErrorKind::kInput,
+                 "source.invalid",
+                 std::string("SPIRV-Cross cannot read the ") + nameOf(stage) + " module: " + thrown.what(),
+                 {}};
   }
 }
 

@@ -21,8 +21,8 @@ struct StageSlot {
 };
 
 struct StageInterface {
-  std::vector<StageSlot> inputs;   // that the code refers to
-  std::vector<StageSlot> outputs;  // all that are declared
+  std::vector<StageSlot> inputs;           // that the code refers to
+  std::vector<StageSlot> outputs;          // all that are declared
   std::vector<VertexInput> vertex_inputs;  // by location; of a vertex module
   std::vector<FragmentOutput> colors;      // by location; of a fragment module
   std::vector<Descriptor> descriptors;

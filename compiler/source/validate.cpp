@@ -20,13 +20,20 @@ spv_target_env assemblyEnvironment(std::string_view text) {
   const std::size_t at = text.find(kMarker);
   if (at == std::string_view::npos || at + kMarker.size() >= text.size()) return SPV_ENV_UNIVERSAL_1_3;
   switch (text[at + kMarker.size()]) {
-    case '0': return SPV_ENV_UNIVERSAL_1_0;
-    case '1': return SPV_ENV_UNIVERSAL_1_1;
-    case '2': return SPV_ENV_UNIVERSAL_1_2;
-    case '4': return SPV_ENV_UNIVERSAL_1_4;
-    case '5': return SPV_ENV_UNIVERSAL_1_5;
-    case '6': return SPV_ENV_UNIVERSAL_1_6;
-    default: return SPV_ENV_UNIVERSAL_1_3;
+    case '0':
+      return SPV_ENV_UNIVERSAL_1_0;
+    case '1':
+      return SPV_ENV_UNIVERSAL_1_1;
+    case '2':
+      return SPV_ENV_UNIVERSAL_1_2;
+    case '4':
+      return SPV_ENV_UNIVERSAL_1_4;
+    case '5':
+      return SPV_ENV_UNIVERSAL_1_5;
+    case '6':
+      return SPV_ENV_UNIVERSAL_1_6;
+    default:
+      return SPV_ENV_UNIVERSAL_1_3;
   }
 }
 
@@ -35,12 +42,15 @@ spv_target_env assemblyEnvironment(std::string_view text) {
 Result<void> validateModule(std::span<const std::uint32_t> words) {
   spvtools::SpirvTools tools(environmentOf(words.size() > 1 ? words[1] : kVersion13));
   std::string first_message;
-  tools.SetMessageConsumer([&](spv_message_level_t level, const char*, const spv_position_t&, const char* text) {
-    if (level <= SPV_MSG_ERROR && first_message.empty()) first_message = text;
-  });
+  tools.SetMessageConsumer(
+      [&](spv_message_level_t level, const char*, const spv_position_t&, const char* text) {
+        if (level <= SPV_MSG_ERROR && first_message.empty()) first_message = text;
+      });
   if (tools.Validate(words.data(), words.size())) return {};
-  return Error{ErrorKind::kInput, "spirv.invalid",
-               first_message.empty() ? "the module is no valid SPIR-V for Vulkan" : first_message, {}};
+  return Error{ErrorKind::kInput,
+               "spirv.invalid",
+               first_message.empty() ? "the module is no valid SPIR-V for Vulkan" : first_message,
+               {}};
 }
 
 std::string disassemble(std::span<const std::uint32_t> words) {
@@ -55,13 +65,14 @@ Result<std::vector<std::uint32_t>> assemble(std::string_view text) {
   spvtools::SpirvTools tools(assemblyEnvironment(text));
   Error error{ErrorKind::kInput, "spirv.assembly", "the text does not assemble", {}};
   bool told = false;
-  tools.SetMessageConsumer([&](spv_message_level_t level, const char*, const spv_position_t& position, const char* message) {
-    if (level > SPV_MSG_ERROR || told) return;
-    told = true;
-    error.message = message;
-    error.place.line = static_cast<int>(position.line) + 1;
-    error.place.column = static_cast<int>(position.column) + 1;
-  });
+  tools.SetMessageConsumer(
+      [&](spv_message_level_t level, const char*, const spv_position_t& position, const char* message) {
+        if (level > SPV_MSG_ERROR || told) return;
+        told = true;
+        error.message = message;
+        error.place.line = static_cast<int>(position.line) + 1;
+        error.place.column = static_cast<int>(position.column) + 1;
+      });
   std::vector<std::uint32_t> words;
   if (!tools.Assemble(text.data(), text.size(), &words)) return error;
   return words;

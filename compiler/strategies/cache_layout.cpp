@@ -76,4 +76,18 @@ FrameUniforms encodingConstants(const CacheLayout& layout, Encoding encoding, Fi
   return constants;
 }
 
+ValueRanges rangesOf(const Recipe& recipe) {
+  ValueRanges ranges;
+  const float scale = recipe.constants.depth_range[0], offset = recipe.constants.depth_range[1];
+  if (scale != 0) {
+    ranges.depth_near = (kNearestStored - offset) / scale;
+    ranges.depth_far = (1 - offset) / scale;
+  }
+  if (!recipe.payload.empty()) {
+    ranges.payload_min = recipe.payload[0].range_min;
+    ranges.payload_max = recipe.payload[0].range_max;
+  }
+  return ranges;
+}
+
 }  // namespace reprise

@@ -30,4 +30,7 @@ CacheLayout cacheLayout(int channels, Encoding encoding);
 // quantization step + slope x footprint + relative epsilon, in stored units.
 FrameUniforms encodingConstants(const CacheLayout& layout, Encoding encoding, Filter filter, const ValueRanges& ranges);
 
+// The ranges that a recipe was made with: the inverse of encodingConstants, for making the same variant again.
+ValueRanges rangesOf(const Recipe& recipe);
+
 }  // namespace reprise

@@ -2,6 +2,8 @@
 //
 // Times scatter in proportion to themselves, so residuals are taken relative to the predicted time (reweighted until it
 // settles) and the Huber bend lies at 1.345 robust standard deviations (median absolute deviation).
+// Terms count as told apart if the least singular value σ of the rows, scaled to a time of 1, exceeds 0.01 and scatter / (σ √N)
+// stays under 0.5.
 // Rows whose coverage does not vary cannot tell c from Δhit and Δmiss; rows whose share of misses does not vary cannot tell Δhit from
 // Δmiss. Then c = 0, or Δhit = Δmiss, is assumed, the verdict is kUnidentifiable and the explanation says which: such a fit
 // predicts well only at the coverage (or hit rate) that it has seen.

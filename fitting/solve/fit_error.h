@@ -1,9 +1,10 @@
 // Fits the error family of error_model.h to measured errors and picks a model.
 //
 // Weighted least squares by Levenberg-Marquardt (Ceres) with the parameters' bounds. A point weighs 1/s², where s is its sigma if
-// given, else its own error (at least 1% of the largest): what counts is the relative deviation, for small errors too.
-// The pick is by AICc = N ln(χ²/N) + 2k + 2k(k+1)/(N−k−1), k = parameters + 1, N points; a relative misfit under 0.1%
-// counts as none. With N < 5, where AICc is not defined for all, by AIC = χ² + 2·parameters with a scatter of 5% assumed.
+// given, else 5% (assumed_scatter) of its own error or of 1% of the largest: what counts is the relative deviation, for
+// small errors too.
+// The pick is by AICc = N ln(χ²/N) + 2k + 2k(k+1)/(N−k−1), k = parameters + 1, N points; a misfit under s/50 (0.1%) counts as
+// none. With N < 5, where AICc is not defined for all models, s is taken at its word: AIC = χ² + 2·parameters.
 #pragma once
 
 #include <span>
@@ -18,8 +19,8 @@ namespace reprise {
 struct ErrorFitOptions {
   std::string family;        // fit this family only; empty: pick
   int max_iterations = 200;  // of the solver, per start
-  double assumed_scatter = 0.05;  // relative, where the points are too few to show it
-  double poor_r_squared = 0.8;    // below it the verdict is kPoor
+  double assumed_scatter = 0.05;  // relative, of points without a sigma
+  double poor_scatter = 0.25;     // relative scatter above which the verdict is kPoor
 };
 
 struct FamilyScore {
@@ -34,8 +35,8 @@ struct ErrorFit {
   std::vector<FittedParameter> parameters;
   std::vector<double> covariance;  // of the parameters, row by row
   std::vector<double> residuals;   // measured − predicted, one per point used, by ascending period
-  std::vector<ErrorPoint> points;  // used: period ≥ 2, finite
-  double scatter = 0;              // estimated standard deviation of a point in units of its s (relative, where sigma was 0)
+  std::vector<ErrorPoint> points;  // used, by ascending period; sigma is the s that they were weighted by
+  double scatter = 0;              // relative standard deviation of a point about the model
   double r_squared = 0;            // unweighted, against the mean; 1 if all points are met
   double aicc = 0;
   FitVerdict verdict = FitVerdict::kNoPoints;

@@ -1,5 +1,7 @@
 // The store of measurements: one SQLite file, append-only, keyed by SeriesKey. A series is appended in one transaction, so
-// that a run killed at any moment leaves whole series only and a resumed run goes on where it stopped.
+// that a run killed at any moment leaves whole series only and a resumed run goes on where it stopped. The journal is a
+// rollback journal: the file is all there is between two writes, and processes on any file system may share it.
+// All calls have the errors of opening; a failed call has changed nothing. NaN comes back as NaN. One thread per Store.
 #pragma once
 
 #include <filesystem>
@@ -31,10 +33,12 @@ class Store {
 
   // A series that is there already is left as it is (append-only): the call succeeds and changes nothing.
   Result<void> appendErrors(const SeriesKey& key, const std::vector<ErrorRow>& rows);
-  Result<void> appendTimes(const SeriesKey& key, const std::vector<TimeRow>& rows);  // several runs may be appended; the
-                                                                                    // run_id tells them apart
+  // Several runs may be appended; the run_id tells them apart and must be given to one timing job only. A run that is there
+  // already is left as it is; if its times differ: store.run_reused (kMeasurement).
+  Result<void> appendTimes(const SeriesKey& key, const std::vector<TimeRow>& rows);
   Result<void> appendFailure(const SeriesKey& key, const FailureRow& failure);
-  // A value by name with the key's content, for what is neither error nor time (ranges seen in training).
+  // A value by name with the key's content, for what is neither error nor time (ranges seen in training). The first value
+  // put under a name stays.
   Result<void> putText(const std::string& key, const std::string& text);
 
   Result<std::optional<std::vector<ErrorRow>>> errors(const SeriesKey& key) const;

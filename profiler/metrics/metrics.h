@@ -2,6 +2,10 @@
 //
 // A metric reduces one frame to a value over the covered pixels; a session's value is the frames' combination: root of the
 // pixel-weighted mean of squares for rms, pixel-weighted mean for the others, except p95 (mean over frames).
+// A frame without covered pixels gives 0 and has no weight. A covered pixel that is not finite gives NaN: count such pixels
+// (ErrorRow::nonfinite) and report them before metrics are read.
+//
+// A new metric is one file pair, one line in registry.cpp; tests/metrics iterates over metrics().
 #pragma once
 
 #include <functional>
@@ -14,6 +18,7 @@
 
 namespace reprise {
 
+// All images and the mask must have the same extent (checked).
 struct MetricInputs {
   const DisplayImage* original = nullptr;
   const DisplayImage* cached = nullptr;
@@ -22,7 +27,11 @@ struct MetricInputs {
   const CoverageMask* mask = nullptr;
 };
 
-enum class SessionCombination { kRootMeanSquare, kMean };
+enum class SessionCombination {
+  kRootMeanSquare,  // weighted by covered pixels
+  kMean,            // weighted by covered pixels
+  kFrameMean        // over the frames that have covered pixels
+};
 
 struct Metric {
   std::string name;         // "rms", "mean", "p95", "ssim", "flip", "over8", "flicker"

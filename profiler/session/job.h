@@ -64,6 +64,10 @@ struct JobResult {
   std::vector<std::string> images;               // kImages: paths written: original, then per entry cached, error, kind
 };
 
+// Colours of the hit/miss image that kImages writes; uncovered pixels are grey.
+inline constexpr const char* kHitColorText = "#2a9d4b";
+inline constexpr const char* kMissColorText = "#d1495b";
+
 struct JobProgress {
   int done = 0, total = 0;  // frames or rounds
 };
@@ -76,6 +80,7 @@ Result<JobResult> runJob(const Job& job, const std::function<void(const JobProgr
 struct SupervisorOptions {
   std::string worker_path;
   double silence_timeout_s = 60;
+  std::function<bool()> interrupted;  // polled; true ends the worker and the job: kInterrupted
 };
 Result<JobResult> superviseJob(const Job& job, const SupervisorOptions& options,
                                const std::function<void(const JobProgress&)>& progress);

@@ -1,0 +1,254 @@
+// bench/marble: what each strategy gives on the marble, in one table from one run.
+//
+// Scene: shaders/marble/marble.toml, session "orbit" (0.02 radians a frame), payload: the candidate that saves most among those
+// that depend on the object alone. Refresh period 16, interleaved blocks of 16 x 16 pixels (6% due per frame). For every strategy the
+// filters and encodings below are timed, alternating with the original in the same run, and the fastest is shown.
+// two_pass_stencil needs a stencil buffer: it and its own original are timed with D32_SFLOAT_S8_UINT.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "cli/fit.h"
+#include "cli/subject.h"
+#include "cli/train.h"
+#include "cli/version.h"
+#include "cli/workspace.h"
+#include "fitting/solve/paired_ratio.h"
+#include "profiler/scenario/read_scenario.h"
+#include "profiler/session/job.h"
+#include "runtime/base/file.h"
+#include "runtime/vulkan/context.h"
+
+namespace reprise {
+namespace {
+
+constexpr const char* kSession = "orbit";
+constexpr std::uint32_t kPeriod = 16;
+constexpr std::uint32_t kBlock = 16;
+constexpr int kErrorFrames = 48;
+constexpr int kOctaves[] = {5, 10, 20, 27};
+constexpr std::uint32_t kSizes[][2] = {{640, 360}, {1280, 720}};
+constexpr Filter kFilters[] = {Filter::kBilinear, Filter::kNearest};
+constexpr Encoding kEncodings[] = {Encoding::kRgba16f, Encoding::kRgba8};
+
+struct Row {
+  std::string name, variant;
+  double frame_ms = 0;
+  PairedRatio speedup;
+  double error = std::nan("");
+};
+
+struct Timed {
+  std::string strategy, variant;
+  VariantOptions options;
+  StoredVariant stored;
+  std::vector<double> clock_ms;
+};
+
+struct Bench {
+  std::string worker_path, device;
+  bool cpu_clock = true;
+  int rounds = 20;
+};
+
+Result<JobResult> runHere(const Bench& bench, Job& job) {
+  job.device = bench.device;
+  SupervisorOptions options;
+  options.worker_path = bench.worker_path;
+  return superviseJob(job, options, {});
+}
+
+// The marble with other octaves, size and depth format, written beside the variants.
+Result<Subject> marbleWith(int octaves, const std::uint32_t (&size)[2], bool stencil, const Workspace& workspace) {
+  REPRISE_ASSIGN(Scenario scenario, readScenario(std::string(REPRISE_SOURCE_DIR) + "/shaders/marble/marble.toml"));
+  scenario.defines = {{"OCTAVES", std::to_string(octaves)}};
+  scenario.width = size[0];
+  scenario.height = size[1];
+  scenario.state.depth_stencil = stencil;
+  REPRISE_TRY(writeFile(workspace.scenarioFile(), writeScenario(scenario, workspace.scenarioFile().parent_path())));
+  return readSubject(workspace.scenarioFile());
+}
+
+// The payload that sticks to the surface: no uniform among its inputs.
+std::size_t surfacePayload(const Subject& subject) {
+  for (std::size_t i = 0; i < subject.candidates.size(); ++i) {
+    const Candidate& candidate = subject.candidates[i];
+    const bool moves = std::any_of(candidate.inputs.begin(), candidate.inputs.end(), [&](int input) {
+      return subject.program.analysis.inputs[static_cast<std::size_t>(input)].kind == InputKind::kUniform;
+    });
+    if (candidate.kept() && !moves) return i;
+  }
+  return 0;
+}
+
+Result<ValueRanges> probeRanges(const Bench& bench, const Subject& subject, const Workspace& workspace, std::size_t candidate) {
+  VariantOptions options = baseOptions(subject, {});
+  options.strategy = "branch";
+  options.encoding = Encoding::kRgba32f;
+  REPRISE_ASSIGN(const StoredVariant stored, storeVariant(workspace, subject.program, subject.candidates[candidate], options, subject.limits));
+  Job job;
+  job.kind = JobKind::kProbe;
+  job.scenario_path = workspace.scenarioFile().string();
+  job.session = kSession;
+  job.original_dir = stored.dir;
+  job.entries = {{stored.dir, 1}};
+  job.frames = 8;
+  job.width = 160;
+  job.height = 90;
+  REPRISE_ASSIGN(const JobResult result, runHere(bench, job));
+  const ProbeResult& probe = result.probes[0];
+  ValueRanges ranges;
+  ranges.depth_near = probe.depth_min * 0.5f;
+  ranges.depth_far = probe.depth_max * 1.5f;
+  for (std::size_t channel = 0; channel < 4; ++channel) ranges.payload_min[channel] = probe.payload_min[channel], ranges.payload_max[channel] = probe.payload_max[channel];
+  return ranges;
+}
+
+Result<std::vector<Timed>> variantsOf(const Subject& subject, const Workspace& workspace, std::size_t candidate, const ValueRanges& ranges, bool stencil) {
+  std::vector<Timed> timed;
+  const auto add = [&](const std::string& strategy, const VariantOptions& base) -> Result<void> {
+    VariantOptions options = base;
+    options.strategy = strategy;
+    const Result<StoredVariant> stored = storeVariant(workspace, subject.program, subject.candidates[candidate], options, subject.limits);
+    if (!stored.ok()) return stored.error();
+    timed.push_back({strategy, fmt::format("{}, {}", nameOf(options.filter), nameOf(options.encoding)), options, *stored, {}});
+    return {};
+  };
+  VariantOptions base = baseOptions(subject, ranges);
+  base.block_pixels = kBlock;
+  base.period_frames = kPeriod;
+  REPRISE_TRY(add("original", base));
+  REPRISE_TRY(add("original_prepass", base));
+  REPRISE_TRY(add("tail_only", base));
+  for (const Strategy& strategy : strategies()) {
+    if (!strategy.selectable || strategy.needs_stencil != stencil) continue;
+    for (const Filter filter : kFilters)
+      for (const Encoding encoding : kEncodings) {
+        VariantOptions options = base;
+        options.filter = filter;
+        options.encoding = encoding;
+        REPRISE_TRY(add(strategy.name, options));
+      }
+  }
+  return timed;
+}
+
+Result<void> timeAll(const Bench& bench, const Workspace& workspace, std::vector<Timed>& timed) {
+  Job job;
+  job.kind = JobKind::kTimes;
+  job.scenario_path = workspace.scenarioFile().string();
+  job.session = kSession;
+  job.original_dir = timed[0].stored.dir;
+  job.rounds = bench.rounds;
+  for (const Timed& one : timed) job.entries.push_back({one.stored.dir, kPeriod});
+  REPRISE_ASSIGN(const JobResult result, runHere(bench, job));
+  for (std::size_t i = 0; i < timed.size(); ++i)
+    for (const TimeRow& row : result.times[i]) timed[i].clock_ms.push_back(bench.cpu_clock ? row.cpu_ms : row.gpu_ms);
+  return {};
+}
+
+Result<double> errorOf(const Bench& bench, const Subject& subject, const Workspace& workspace, std::size_t candidate, const Timed& variant) {
+  VariantOptions options = variant.options;
+  options.instrumented = true;
+  REPRISE_ASSIGN(const StoredVariant stored, storeVariant(workspace, subject.program, subject.candidates[candidate], options, subject.limits));
+  Job job;
+  job.kind = JobKind::kErrors;
+  job.scenario_path = workspace.scenarioFile().string();
+  job.session = kSession;
+  job.original_dir = variant.stored.dir;
+  job.entries = {{stored.dir, kPeriod}};
+  job.frames = kErrorFrames;
+  REPRISE_ASSIGN(const JobResult result, runHere(bench, job));
+  return sessionError("rms", {&result.errors[0]}, kPeriod).value_or(std::nan(""));
+}
+
+// One size and octave count: the rows of the table. The stencil strategy adds its own original.
+Result<std::vector<Row>> measure(const Bench& bench, int octaves, const std::uint32_t (&size)[2], bool stencil, const Workspace& workspace) {
+  REPRISE_ASSIGN(const Subject subject, marbleWith(octaves, size, stencil, workspace));
+  const std::size_t candidate = surfacePayload(subject);
+  REPRISE_ASSIGN(const ValueRanges ranges, probeRanges(bench, subject, workspace, candidate));
+  REPRISE_ASSIGN(std::vector<Timed> timed, variantsOf(subject, workspace, candidate, ranges, stencil));
+  REPRISE_TRY(timeAll(bench, workspace, timed));
+  const std::size_t reference = medianOf(timed[1].clock_ms) < medianOf(timed[0].clock_ms) ? 1 : 0;
+  std::vector<Row> rows;
+  const auto rowOf = [&](const Timed& one) {
+    return Row{one.strategy, one.variant, medianOf(one.clock_ms), pairedRatio(timed[reference].clock_ms, one.clock_ms), std::nan("")};
+  };
+  for (std::size_t i = 0; i < 3; ++i) rows.push_back(rowOf(timed[i]));
+  for (Row& row : rows) row.variant = stencil ? "with stencil" : "";
+  for (const Strategy& strategy : strategies()) {
+    const Timed* best = nullptr;
+    for (const Timed& one : timed)
+      if (one.strategy == strategy.name && strategy.selectable && (best == nullptr || medianOf(one.clock_ms) < medianOf(best->clock_ms))) best = &one;
+    if (best == nullptr) continue;
+    Row row = rowOf(*best);
+    REPRISE_ASSIGN(row.error, errorOf(bench, subject, workspace, candidate, *best));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+void print(const Row& row, int octaves, const std::uint32_t (&size)[2], double limit_ms) {
+  std::cout << fmt::format("| {} | {}x{} | {} | {} | {:.1f} | {:.2f} [{:.2f}, {:.2f}] | {} | {} |\n", octaves, size[0], size[1], row.name, row.variant,
+                           row.frame_ms, row.speedup.ratio, row.speedup.lo, row.speedup.hi,
+                           row.frame_ms > 0 ? fmt::format("{:.0f}%", 100 * limit_ms / row.frame_ms) : "", std::isfinite(row.error) ? fmt::format("{:.4f}", row.error) : "")
+            << std::flush;
+}
+
+nlohmann::json toJson(const Row& row, int octaves, const std::uint32_t (&size)[2], double limit_ms) {
+  return {{"octaves", octaves}, {"width", size[0]}, {"height", size[1]}, {"strategy", row.name}, {"variant", row.variant}, {"frame_ms", row.frame_ms},
+          {"speedup", row.speedup.ratio}, {"speedup_ci95", {row.speedup.lo, row.speedup.hi}}, {"share_of_limit", limit_ms / row.frame_ms},
+          {"error_rms", std::isfinite(row.error) ? nlohmann::json(row.error) : nlohmann::json(nullptr)}};
+}
+
+Result<void> run(Bench bench, const std::string& json_file) {
+  ContextOptions context_options;
+  context_options.device = bench.device;
+  REPRISE_ASSIGN(const Context context, Context::create(context_options));
+  bench.cpu_clock = context.summary().is_cpu;
+  std::cout << fmt::format("Marble, {}; {}; clock: {}; period {}, blocks {}x{}; {} pairs; reprise {}\n\n", context.summary().name, context.summary().driver,
+                           bench.cpu_clock ? "process CPU time" : "time stamps", kPeriod, kBlock, kBlock, bench.rounds, kToolVersion);
+  std::cout << "| octaves | size | strategy | variant | frame ms | speed-up [95%] | share of limit | RMS error |\n|---|---|---|---|---|---|---|---|\n";
+  const std::filesystem::path directory = std::filesystem::temp_directory_path() / fmt::format("reprise-bench-{}", ::getpid());
+  nlohmann::json rows = nlohmann::json::array();
+  for (const auto& size : kSizes)
+    for (const int octaves : kOctaves)
+      for (const bool stencil : {false, true}) {
+        REPRISE_ASSIGN(const Workspace workspace, Workspace::open(directory));
+        REPRISE_ASSIGN(const std::vector<Row> measured, measure(bench, octaves, size, stencil, workspace));
+        for (const Row& row : measured) {
+          print(row, octaves, size, measured[2].frame_ms);
+          rows.push_back(toJson(row, octaves, size, measured[2].frame_ms));
+        }
+      }
+  std::error_code status;
+  std::filesystem::remove_all(directory, status);
+  if (json_file.empty()) return {};
+  const nlohmann::json document = {{"device", context.summary().name}, {"driver", context.summary().driver},
+                                   {"clock", bench.cpu_clock ? "process_cpu" : "timestamps"}, {"period_frames", kPeriod}, {"rows", rows}};
+  return writeFile(json_file, document.dump(2) + "\n");
+}
+
+}  // namespace
+}  // namespace reprise
+
+int main(int argc, char** argv) {
+  reprise::Bench bench;
+  std::string json_file;
+  CLI::App app("Times every strategy on the marble and prints one table");
+  app.add_option("--json", json_file, "write the rows to a file too");
+  app.add_option("--device", bench.device, "index or part of the name");
+  app.add_option("--rounds", bench.rounds, "pairs per variant")->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  bench.worker_path = (std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path() / "reprise").string();
+  const reprise::Result<void> result = reprise::run(bench, json_file);
+  if (result.ok()) return 0;
+  std::cerr << reprise::formatError(result.error()) << '\n';
+  return 1;
+}

@@ -1,0 +1,228 @@
+#include "cli/describe_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/strategies/cache_layout.h"
+
+namespace reprise {
+namespace {
+
+std::optional<double> known(double value) { return std::isfinite(value) ? std::optional<double>(value) : std::nullopt; }
+
+RunErrorModel describeModel(const ErrorFit& fit) {
+  RunErrorModel model{fit.family, {}, known(fit.r_squared), nameOf(fit.verdict)};
+  for (const FittedParameter& parameter : fit.parameters)
+    model.parameters.push_back({parameter.name, parameter.value, RunInterval{parameter.lo, parameter.hi}});
+  if (!fit.explanation.empty()) model.verdict += ": " + fit.explanation;
+  return model;
+}
+
+std::vector<double> clockOf(const std::map<std::string, std::vector<TimedFrame>>& sessions) {
+  std::vector<double> times;
+  for (const auto& [session, frames] : sessions)
+    for (const TimedFrame& frame : frames) times.push_back(frame.clock_ms);
+  return times;
+}
+
+std::optional<double> measuredError(const ErrorStudy& study, std::uint32_t period, const std::string& metric) {
+  const auto sessions = study.rows.find(period);
+  if (sessions == study.rows.end()) return std::nullopt;
+  std::vector<const std::vector<ErrorRow>*> rows;
+  for (const auto& [session, series] : sessions->second) rows.push_back(&series);
+  return sessionError(metric, rows, period);
+}
+
+void addPoints(const Training& training, const FittedTraining& fitted, const Selection& selection, std::size_t configuration,
+               const std::string& metric, RunConfiguration& described) {
+  const CostStudy& costs = training.costs[fitted.cost_study[configuration]];
+  for (const TradeoffPoint& point : selection.points) {
+    if (point.configuration != configuration) continue;
+    RunPoint entry;
+    entry.period_frames = point.period_frames;
+    entry.predicted_error = known(point.predicted_error);
+    entry.predicted_frame_ms = known(point.predicted_frame_ms);
+    entry.measured_error = measuredError(training.errors[costs.error_study], point.period_frames, metric);
+    const auto timed = costs.frames.find(point.period_frames);
+    if (timed != costs.frames.end()) entry.measured_frame_ms = known(medianOf(clockOf(timed->second)));
+    described.points.push_back(entry);
+  }
+}
+
+RunConfiguration describeConfiguration(const Configuration& configuration) {
+  RunConfiguration described;
+  described.strategy = configuration.strategy;
+  described.pattern = configuration.pattern;
+  described.filter = configuration.filter;
+  described.encoding = configuration.encoding;
+  described.block_pixels = configuration.block_pixels;
+  described.cost_verdict = nameOf(configuration.cost.verdict);
+  if (!configuration.cost.explanation.empty()) described.cost_verdict += ": " + configuration.cost.explanation;
+  described.cost_r_squared = known(configuration.cost.r_squared);
+  if (isUsable(configuration.cost.verdict)) {
+    described.hit_ns = configuration.cost.cost.hit_ns;
+    described.miss_ns = configuration.cost.cost.miss_ns;
+    described.overhead_ms = configuration.cost.cost.overhead_ms;
+  }
+  return described;
+}
+
+// An error study without a strategy's times still has a curve: its points without frame times.
+RunConfiguration untimedConfiguration(const ErrorStudy& study, const Subject& subject, const std::string& metric) {
+  RunConfiguration described;
+  described.strategy = study.options.strategy;
+  described.pattern = nameOf(study.options.pattern);
+  described.filter = nameOf(study.options.filter);
+  described.encoding = nameOf(study.options.encoding);
+  described.block_pixels = study.options.block_pixels;
+  described.cost_verdict = "not timed";
+  const ErrorFit fit = fitErrors(study, metric);
+  for (const std::uint32_t period : subject.scenario.periods) {
+    if (period == 1) continue;
+    RunPoint point;
+    point.period_frames = period;
+    if (period != kNeverRefresh && isUsable(fit.verdict)) point.predicted_error = known(predictError(fit, period).value);
+    point.measured_error = measuredError(study, period, metric);
+    described.points.push_back(point);
+  }
+  return described;
+}
+
+void describeStatus(const Training& training, std::size_t index, const Candidate& candidate, bool has_rows, RunCandidate& described) {
+  if (!candidate.kept()) {
+    const bool refused = candidate.dropped.code.rfind("shader.", 0) == 0 || candidate.dropped.code.rfind("tail.", 0) == 0;
+    described.status = refused ? CandidateStatus::kRefused : CandidateStatus::kPruned;
+    described.reason = {candidate.dropped.code, candidate.dropped.message};
+  } else if (const auto failed = training.failed.find(index); failed != training.failed.end()) {
+    described.status = CandidateStatus::kFailed;
+    described.reason = {"train.failed", failed->second};
+  } else if (has_rows) {
+    described.status = CandidateStatus::kTrained;
+  } else {
+    described.status = CandidateStatus::kNotReached;
+    described.reason = {"train.budget", "the budget ended before it was measured"};
+    for (const ErrorStudy& study : training.errors)
+      if (study.candidate == index && !study.failure.empty()) {
+        described.status = CandidateStatus::kFailed;
+        described.reason = {"train.failed", study.failure};
+      }
+  }
+}
+
+}  // namespace
+
+std::vector<RunCandidate> describeCandidates(const Subject& subject, const Training& training, const FittedTraining& fitted,
+                                             const Selection& selection, const std::string& metric) {
+  std::vector<RunCandidate> described;
+  for (std::size_t index = 0; index < subject.candidates.size(); ++index) {
+    const Candidate& candidate = subject.candidates[index];
+    RunCandidate entry;
+    entry.id = candidate.id;
+    entry.name = candidate.name;
+    entry.type = candidate.type;
+    entry.file = candidate.place.file;
+    entry.line = candidate.place.line;
+    entry.column = candidate.place.column;
+    entry.cost = candidate.saved_cost;
+    entry.cost_share = candidate.share;
+    entry.inputs = inputNames(candidate, subject.program.analysis);
+    bool has_rows = false;
+    for (std::size_t study = 0; study < training.errors.size(); ++study) {
+      const ErrorStudy& errors = training.errors[study];
+      if (errors.candidate != index || errors.rows.empty()) continue;
+      if (!has_rows) entry.error_model = describeModel(fitErrors(errors, metric));
+      has_rows = true;
+      bool timed = false;
+      for (std::size_t i = 0; i < fitted.cost_study.size(); ++i) {
+        if (training.costs[fitted.cost_study[i]].error_study != study) continue;
+        timed = true;
+        const Configuration& configuration = fitted.input.configurations[i];
+        if (!entry.hit_rate_mu && isUsable(configuration.hit_rate.verdict)) entry.hit_rate_mu = configuration.hit_rate.mu.value;
+        RunConfiguration one = describeConfiguration(configuration);
+        addPoints(training, fitted, selection, i, metric, one);
+        entry.configurations.push_back(std::move(one));
+      }
+      if (!timed) entry.configurations.push_back(untimedConfiguration(errors, subject, metric));
+    }
+    describeStatus(training, index, candidate, has_rows, entry);
+    described.push_back(std::move(entry));
+  }
+  return described;
+}
+
+RunAttempt describeAttempt(const FittedTraining& fitted, const ValidationAttempt& attempt) {
+  const Configuration& configuration = fitted.input.configurations[attempt.configuration];
+  RunAttempt described;
+  described.candidate_id = configuration.candidate_id;
+  described.configuration = fmt::format("{}, {} {}x{}, {}, {}", configuration.strategy, configuration.pattern, configuration.block_pixels,
+                                        configuration.block_pixels, configuration.filter, configuration.encoding);
+  described.period_frames = attempt.point.period_frames;
+  described.measured_error = known(attempt.run.worst_session_error);
+  described.measured_speedup = known(attempt.run.binding.ratio);
+  if (attempt.run.binding.pairs > 0) described.speedup_ci95 = RunInterval{attempt.run.binding.lo, attempt.run.binding.hi};
+  described.accepted = attempt.run.judgement.accepted;
+  described.reason = attempt.run.judgement.reason;
+  return described;
+}
+
+std::vector<RunSession> describeSessions(const ValidationRun& run, const std::string& metric) {
+  std::vector<RunSession> sessions;
+  for (const ValidatedSession& session : run.sessions) {
+    RunSession described{session.name, {}};
+    for (const ErrorRow& row : session.rows) {
+      RunFrame frame;
+      frame.frame = row.frame;
+      const auto value = row.errors.find(metric);
+      frame.error = value != row.errors.end() ? value->second : std::nan("");
+      if (row.covered > 0) frame.hit_rate = static_cast<double>(row.hits) / static_cast<double>(row.covered);
+      for (const TimedFrame& timed : session.variant)
+        if (timed.frame == row.frame) frame.frame_ms = timed.clock_ms;
+      for (const TimedFrame& timed : session.reference)
+        if (timed.frame == row.frame) frame.original_ms = timed.clock_ms;
+      described.frames.push_back(frame);
+    }
+    sessions.push_back(std::move(described));
+  }
+  return sessions;
+}
+
+void describeAccepted(const Subject& subject, const Training& training, const FittedTraining& fitted, const ValidationAttempt& attempt,
+                      RunResult& result) {
+  const Configuration& configuration = fitted.input.configurations[attempt.configuration];
+  const ErrorStudy& study = training.errors[training.costs[fitted.cost_study[attempt.configuration]].error_study];
+  const Candidate& candidate = subject.candidates[study.candidate];
+  const ValidationRun& run = attempt.run;
+  RunChoice& choice = result.choice;
+  choice.kind = ChoiceKind::kVariant;
+  choice.reason = run.judgement.reason;
+  choice.candidate_id = candidate.id;
+  choice.payload = {{candidate.name.empty() ? candidate.id : candidate.name, candidate.type, candidate.place.file, candidate.place.line,
+                     candidate.place.column}};
+  choice.strategy = configuration.strategy;
+  choice.pattern = configuration.pattern;
+  choice.filter = configuration.filter;
+  choice.encoding = configuration.encoding;
+  choice.block_pixels = configuration.block_pixels;
+  choice.period_frames = attempt.point.period_frames;
+  choice.predicted_error = known(attempt.point.predicted_error);
+  choice.measured_error = known(run.measured_error);
+  choice.worst_frame_error = known(run.worst_frame_error);
+  choice.predicted_speedup = known(attempt.point.predicted_speedup);
+  choice.measured_speedup = known(run.binding.ratio);
+  choice.speedup_ci95 = RunInterval{run.binding.lo, run.binding.hi};
+  choice.wall_speedup = known(run.wall.ratio);
+  choice.wall_speedup_ci95 = RunInterval{run.wall.lo, run.wall.hi};
+  // Predicted for the validation's own hits and misses, as its scene covers another share of the screen than training's.
+  const double hits = run.fragments_per_frame * run.hit_rate;
+  choice.predicted_frame_ms = known(predictFrameTime(configuration.cost, hits, run.fragments_per_frame - hits));
+  choice.measured_frame_ms = known(run.binding.variant_median_ms);
+  choice.p95_ms = known(run.binding.variant_p95_ms);
+  choice.worst_ms = known(run.binding.variant_worst_ms);
+  choice.hit_rate = run.hit_rate;
+  choice.cache_bytes_per_pixel = 2.0 * cacheLayout(candidate.channels, study.options.encoding).bytes_per_pixel;
+  result.limit = {known(run.limit_ms), candidate.id};
+}
+
+}  // namespace reprise

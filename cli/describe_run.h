@@ -1,0 +1,33 @@
+// The values of a run as result.json holds them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/fit.h"
+#include "cli/report/result.h"
+#include "cli/subject.h"
+#include "cli/trained.h"
+#include "cli/validate_choice.h"
+
+namespace reprise {
+
+struct ValidationAttempt {
+  std::size_t configuration = 0;  // index into FittedTraining::input.configurations
+  TradeoffPoint point;
+  ValidationRun run;
+};
+
+// All candidates with their models, configurations and points, or the reason why they have none.
+std::vector<RunCandidate> describeCandidates(const Subject& subject, const Training& training, const FittedTraining& fitted,
+                                             const Selection& selection, const std::string& metric);
+
+RunAttempt describeAttempt(const FittedTraining& fitted, const ValidationAttempt& attempt);
+
+// The accepted attempt as the run's choice, original, limit and validation.
+void describeAccepted(const Subject& subject, const Training& training, const FittedTraining& fitted, const ValidationAttempt& attempt,
+                      RunResult& result);
+
+std::vector<RunSession> describeSessions(const ValidationRun& run, const std::string& metric);
+
+}  // namespace reprise

@@ -1,0 +1,28 @@
+// Training rows into the models that selection works on (stage 8).
+#pragma once
+
+#include <vector>
+
+#include "cli/subject.h"
+#include "cli/trained.h"
+#include "fitting/selection/select.h"
+
+namespace reprise {
+
+struct FittedTraining {
+  SelectionInput input;                   // one configuration for each cost study with a usable error study
+  std::vector<std::size_t> cost_study;    // by configuration: index into Training::costs
+};
+
+// Points of an error study: one for each period with settled frames, over all its sessions.
+std::vector<ErrorPoint> errorPoints(const ErrorStudy& study, const std::string& metric);
+ErrorFit fitErrors(const ErrorStudy& study, const std::string& metric);
+// The error of "never", measured directly; nullopt if that period was not trained.
+std::optional<double> neverError(const ErrorStudy& study, const std::string& metric);
+
+FittedTraining fitTraining(const Subject& subject, const Training& training, const std::string& metric);
+
+// Median frame time of the faster of the original and the original behind a prepass (ms of the binding clock).
+double originalFrameMs(const Training& training);
+
+}  // namespace reprise

@@ -1,0 +1,232 @@
+// The command line: words to arguments, errors to messages and exit statuses. What is done lies in commands/ and pipeline.cpp.
+#include <csignal>
+#include <cstdio>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands/analyze.h"
+#include "cli/commands/devices.h"
+#include "cli/commands/play.h"
+#include "cli/pipeline.h"
+#include "cli/report/text.h"
+#include "cli/version.h"
+#include "profiler/session/job.h"
+
+namespace reprise {
+namespace {
+
+constexpr int kInputStatus = 1, kUsageStatus = 2, kMachineStatus = 3, kInterruptedStatus = 130;
+
+std::atomic<bool> interrupt_seen{false};
+
+void onInterrupt(int) { interrupt_seen = true; }
+
+int statusOf(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::kUsage: return kUsageStatus;
+    case ErrorKind::kMachine: return kMachineStatus;
+    case ErrorKind::kInterrupted: return kInterruptedStatus;
+    case ErrorKind::kInput:
+    case ErrorKind::kRefused:
+    case ErrorKind::kMeasurement: break;
+  }
+  return kInputStatus;
+}
+
+int report(const Error& error, bool as_json) {
+  if (as_json) {
+    const nlohmann::json document = {{"code", error.code}, {"message", error.message}, {"file", error.place.file},
+                                     {"line", error.place.line}, {"column", error.place.column}};
+    std::cerr << document.dump() << '\n';
+  } else {
+    std::cerr << formatError(error) << '\n';
+  }
+  return statusOf(error.kind);
+}
+
+struct Words {
+  bool quiet = false;
+  std::string error_format = "text";
+  std::string device;
+  OptimizeArguments optimize;
+  std::string budget;
+  AnalyzeArguments analyze;
+  std::vector<std::string> defines, includes;
+  bool write_dependencies = false;
+  PlayArguments play;
+  std::string period;
+  std::string directory;
+  bool json = false;
+
+  bool errorsAsJson() const { return error_format == "json"; }
+};
+
+// "120s", "2m", "90": seconds; negative if it is none of these.
+double secondsFrom(const std::string& text) {
+  if (text.empty()) return 0;
+  std::size_t used = 0;
+  double value = -1;
+  try {
+    value = std::stod(text, &used);
+  } catch (const std::exception&) {
+    return -1;
+  }
+  const std::string unit = text.substr(used);
+  if (unit.empty() || unit == "s") return value;
+  return unit == "m" ? value * 60 : -1;
+}
+
+std::string executablePath() {
+  std::error_code status;
+  return std::filesystem::read_symlink("/proc/self/exe", status).string();
+}
+
+int runOptimize(Words& words, const std::string& command) {
+  OptimizeArguments& arguments = words.optimize;
+  arguments.device = words.device;
+  arguments.command = command;
+  arguments.worker_path = executablePath();
+  arguments.interrupted = [] { return interrupt_seen.load(); };
+  arguments.budget_s = secondsFrom(words.budget);
+  if (arguments.budget_s < 0)
+    return report({ErrorKind::kUsage, "budget.value", "--budget is '" + words.budget + "'; it must be a time such as 120s or 2m", {}}, words.errorsAsJson());
+  Progress progress(progressStyle(words.quiet));
+  const Result<RunResult> result = optimize(arguments, progress);
+  if (!result.ok()) return report(result.error(), words.errorsAsJson());
+  std::cout << summaryText(*result);
+  if (!words.quiet) std::cout << "report: " << (std::filesystem::path(arguments.output) / "report.html").string() << '\n';
+  return 0;
+}
+
+int runValidate(Words& words) {
+  words.optimize.device = words.device;
+  words.optimize.worker_path = executablePath();
+  words.optimize.interrupted = [] { return interrupt_seen.load(); };
+  Progress progress(progressStyle(words.quiet));
+  const Result<RunResult> result = validateAgain(words.directory, words.optimize, progress);
+  if (!result.ok()) return report(result.error(), words.errorsAsJson());
+  std::cout << result->choice.reason << '\n';
+  return 0;
+}
+
+int runAnalyze(Words& words) {
+  for (const std::string& define : words.defines) {
+    const std::size_t equals = define.find('=');
+    words.analyze.compile.defines.emplace_back(define.substr(0, equals), equals == std::string::npos ? "" : define.substr(equals + 1));
+  }
+  for (const std::string& directory : words.includes) words.analyze.compile.include_dirs.emplace_back(directory);
+  words.analyze.json = words.json;
+  if (words.write_dependencies && words.analyze.depfile.empty()) words.analyze.depfile = words.analyze.shader + ".d";
+  const Result<void> result = analyzeShader(words.analyze, std::cout);
+  return result.ok() ? 0 : report(result.error(), words.errorsAsJson());
+}
+
+int runPlay(Words& words) {
+  words.play.device = words.device;
+  if (words.period == "never") {
+    words.play.period_frames = 0;
+  } else if (!words.period.empty()) {
+    char* end = nullptr;
+    const unsigned long period = std::strtoul(words.period.c_str(), &end, 10);
+    if (*end != '\0' || period == 0 || period > 64 || (period & (period - 1)) != 0)
+      return report({ErrorKind::kUsage, "period.value", "--period is '" + words.period + "'; it must be 1, 2, 4, ... 64 or never", {}}, words.errorsAsJson());
+    words.play.period_frames = static_cast<std::uint32_t>(period);
+  }
+  const Result<void> result = playPackage(words.play, std::cout);
+  return result.ok() ? 0 : report(result.error(), words.errorsAsJson());
+}
+
+void addOptimize(CLI::App& app, Words& words) {
+  CLI::App* command = app.add_subcommand("optimize", "find, measure and package the fastest variant under an error threshold");
+  command->add_option("scenario", words.optimize.scenario, "TOML file (docs/scenario.md)")->required();
+  command->add_option("--max-error", words.optimize.max_error, "threshold of the metric")->capture_default_str();
+  command->add_option("--metric", words.optimize.metric, "rms, mean, p95, ssim, flip, over8 or flicker")->capture_default_str();
+  command->add_option("--budget", words.budget, "time for training, such as 120s or 2m");
+  command->add_option("-o,--output", words.optimize.output, "directory of the results")->capture_default_str();
+}
+
+void addAnalyze(CLI::App& app, Words& words) {
+  CLI::App* command = app.add_subcommand("analyze", "list the values of a fragment shader that are worth caching, and why others are not");
+  command->add_option("shader", words.analyze.shader, "GLSL or SPIR-V, - for standard input")->required();
+  command->add_flag("--json", words.json, "JSON instead of text");
+  command->add_flag("--all", words.analyze.all, "list the values that are no candidates one by one");
+  command->add_option("-I", words.includes, "directory for #include")->allow_extra_args(false);
+  command->add_option("-D", words.defines, "NAME or NAME=VALUE")->allow_extra_args(false);
+  command->add_option("--std", words.analyze.compile.standard, "GLSL version, such as 450");
+  command->add_option("--entry-point", words.analyze.compile.entry_point, "of SPIR-V with several")->capture_default_str();
+  command->add_flag("--MD", words.write_dependencies, "write the included files as a make rule");
+  command->add_option("--MF", words.analyze.depfile, "file for --MD");
+}
+
+void addPlay(CLI::App& app, Words& words) {
+  CLI::App* command = app.add_subcommand("play", "play a package: frames to PNG or hashes");
+  command->add_option("directory", words.play.directory, "a package, or the output of optimize")->required();
+  command->add_option("--scenario", words.play.scenario, "TOML file; that of the output where there is one");
+  command->add_option("--session", words.play.session, "the first validation session if none is named");
+  command->add_option("--frames", words.play.frames, "number of frames; the session's if none is named");
+  command->add_option("--period", words.period, "1, 2, 4, ... 64 or never; the package's if none is named");
+  command->add_flag("--original", words.play.original, "the original instead of the variant");
+  command->add_option("--png", words.play.png_dir, "directory for the frames");
+  command->add_flag("--hashes", words.play.hashes, "print a hash of every frame");
+}
+
+// glslc's spelling: -std=450, -MD, -MF FILE. CLI11 wants two dashes before longer words.
+std::vector<std::string> spelledForParser(int argc, char** argv) {
+  std::vector<std::string> words;
+  for (int i = argc - 1; i > 0; --i) {
+    const std::string word = argv[i];
+    const bool glslc = word.rfind("-std=", 0) == 0 || word == "-MD" || word == "-MF";
+    words.push_back(glslc ? "-" + word : word);
+  }
+  return words;
+}
+
+int run(int argc, char** argv) {
+  Words words;
+  CLI::App app("Reprise: caches the expensive part of a fragment shader from frame to frame, with measured error and gain");
+  app.set_version_flag("--version", std::string("reprise ") + kToolVersion);
+  app.require_subcommand(1);
+  app.fallthrough();
+  app.add_flag("--quiet,-q", words.quiet, "no progress");
+  app.add_option("--error-format", words.error_format, "text or json")->check(CLI::IsMember({"text", "json"}));
+  app.add_option("--device", words.device, "index or part of the name (reprise devices)");
+  addOptimize(app, words);
+  addAnalyze(app, words);
+  addPlay(app, words);
+  CLI::App* validate = app.add_subcommand("validate", "measure the choice of an output directory again, on this device");
+  validate->add_option("directory", words.directory)->required();
+  CLI::App* report_command = app.add_subcommand("report", "write the report of an output directory again");
+  report_command->add_option("directory", words.directory)->required();
+  CLI::App* devices = app.add_subcommand("devices", "list the Vulkan devices");
+  devices->add_flag("--json", words.json, "JSON instead of text");
+  app.add_subcommand("worker", "")->group("");
+  try {
+    app.parse(spelledForParser(argc, argv));
+  } catch (const CLI::ParseError& error) {
+    const int status = app.exit(error);
+    return status == 0 ? 0 : kUsageStatus;
+  }
+  std::signal(SIGINT, onInterrupt);
+  std::string command = "reprise";
+  for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
+  if (app.got_subcommand("worker")) return runWorker();
+  if (app.got_subcommand("optimize")) return runOptimize(words, command);
+  if (app.got_subcommand("analyze")) return runAnalyze(words);
+  if (app.got_subcommand("play")) return runPlay(words);
+  if (app.got_subcommand(validate)) return runValidate(words);
+  if (app.got_subcommand(report_command)) {
+    const Result<void> result = reportAgain(words.directory);
+    return result.ok() ? 0 : report(result.error(), words.errorsAsJson());
+  }
+  const Result<void> result = listDevicesCommand(words.json, std::cout);
+  return result.ok() ? 0 : report(result.error(), words.errorsAsJson());
+}
+
+}  // namespace
+}  // namespace reprise
+
+int main(int argc, char** argv) { return reprise::run(argc, argv); }

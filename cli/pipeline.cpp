@@ -1,0 +1,351 @@
+#include "cli/pipeline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <fstream>
+
+#include "cli/describe_run.h"
+#include "cli/fit.h"
+#include "cli/report/write_report.h"
+#include "cli/subject.h"
+#include "cli/train.h"
+#include "cli/validate_choice.h"
+#include "cli/version.h"
+#include "cli/workspace.h"
+#include "compiler/emit/emit.h"
+#include "profiler/measurements/store.h"
+#include "profiler/metrics/metrics.h"
+#include "runtime/base/file.h"
+#include "runtime/vulkan/context.h"
+
+namespace reprise {
+namespace {
+
+constexpr std::size_t kMostAttempts = 5;
+constexpr double kErrorGain = 8;
+
+class StageClock {
+ public:
+  StageClock(RunResult& result, const Progress& progress) : result_(result), progress_(progress) {}
+  void end(const std::string& stage) {
+    const double now = progress_.elapsedSeconds();
+    result_.seconds.push_back({stage, now - last_});
+    last_ = now;
+  }
+
+ private:
+  RunResult& result_;
+  const Progress& progress_;
+  double last_ = 0;
+};
+
+Result<void> checkArguments(const OptimizeArguments& arguments) {
+  if (!(arguments.max_error > 0) || !std::isfinite(arguments.max_error))
+    return Error{ErrorKind::kUsage, "threshold.value",
+                 fmt::format("--max-error is {}; it must be a number above 0, such as 0.02", arguments.max_error), {}};
+  if (findMetric(arguments.metric) != nullptr) return {};
+  std::string known;
+  for (const Metric& metric : metrics()) known += (known.empty() ? "" : ", ") + metric.name;
+  return Error{ErrorKind::kUsage, "metric.unknown", "there is no metric '" + arguments.metric + "'; there are " + known, {}};
+}
+
+Result<DeviceSummary> chosenDevice(const std::string& wanted) {
+  ContextOptions options;
+  options.device = wanted;
+  REPRISE_ASSIGN(const Context context, Context::create(options));
+  return context.summary();
+}
+
+std::string utcNow() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+std::string processorName() {
+  std::ifstream stream("/proc/cpuinfo");
+  std::string line, name;
+  int cores = 0;
+  while (std::getline(stream, line)) {
+    if (line.rfind("processor", 0) == 0) ++cores;
+    if (line.rfind("model name", 0) == 0 && name.empty()) name = line.substr(line.find(':') + 2);
+  }
+  return name.empty() ? "" : fmt::format("{}, {} cores", name, cores);
+}
+
+// What is known before anything is measured.
+RunResult describeSubject(const Subject& subject, const OptimizeArguments& arguments, const DeviceSummary& device) {
+  RunResult result;
+  result.tool_version = kToolVersion;
+  result.device = {device.name, device.driver, device.is_cpu, processorName()};
+  result.clock = device.is_cpu ? "process_cpu" : "timestamps";
+  result.shader = {subject.scenario.fragment_path, subject.scenario.vertex_path, subject.program.hash};
+  int frames = 0;
+  for (const SessionSpec& session : subject.scenario.sessions)
+    if (session.role == SessionRole::kTraining) frames += session.frames > 0 ? session.frames : subject.scenario.frames;
+  result.scenario = {arguments.scenario, subject.scenario.name, subject.scenario.hash, subject.scenario.width, subject.scenario.height,
+                     subject.scenario.seed, frames};
+  result.threshold = {arguments.metric, arguments.max_error};
+  result.command = arguments.command;
+  return result;
+}
+
+struct Bench {
+  Store store;
+  Measuring measuring;
+};
+
+Result<Bench> openBench(const Subject& subject, const Workspace& workspace, const OptimizeArguments& arguments, const DeviceSummary& device) {
+  REPRISE_ASSIGN(Store store, Store::open(workspace.storeFile()));
+  VariantOptions original = baseOptions(subject, {});
+  original.strategy = "original";
+  REPRISE_ASSIGN(const StoredVariant stored,
+                 storeVariant(workspace, subject.program, subject.candidates.empty() ? Candidate{} : subject.candidates[0], original, subject.limits));
+  Bench bench{std::move(store), {}};
+  Measuring& measuring = bench.measuring;
+  measuring.base.shader_hash = subject.program.hash;
+  measuring.base.scenario_hash = subject.scenario.hash;
+  measuring.base.device = device.name;
+  measuring.base.driver = device.driver;
+  measuring.base.width = subject.scenario.width;
+  measuring.base.height = subject.scenario.height;
+  measuring.base.seed = subject.scenario.seed;
+  measuring.base.tool_version = kToolVersion;
+  measuring.scenario_path = workspace.scenarioFile().string();
+  measuring.original_dir = stored.dir;
+  measuring.device = arguments.device;
+  measuring.metrics = {arguments.metric};
+  measuring.supervisor.worker_path = arguments.worker_path;
+  measuring.supervisor.interrupted = arguments.interrupted;
+  return bench;
+}
+
+struct Validated {
+  std::vector<ValidationAttempt> attempts;
+  bool accepted = false;  // the last attempt
+};
+
+// In predicted order; the first that keeps its word is taken (law 7).
+Result<Validated> validateInOrder(const Subject& subject, const Workspace& workspace, const Measuring& measuring, const Training& training,
+                                  const FittedTraining& fitted, const Selection& selection, const TrainOptions& options, Progress& progress) {
+  Validated validated;
+  for (const TradeoffPoint& point : selection.ranking) {
+    if (validated.attempts.size() == kMostAttempts) break;
+    const ErrorStudy& study = training.errors[training.costs[fitted.cost_study[point.configuration]].error_study];
+    ValidationPlan plan;
+    plan.candidate = study.candidate;
+    plan.options = study.options;
+    plan.options.instrumented = false;
+    plan.options.strategy = fitted.input.configurations[point.configuration].strategy;
+    plan.options.period_frames = point.period_frames;
+    plan.metric = options.metric;
+    plan.max_error = options.max_error;
+    plan.cpu_clock = options.cpu_clock;
+    REPRISE_ASSIGN(ValidationRun run, validateChoice(subject, workspace, measuring, plan, progress));
+    validated.attempts.push_back({point.configuration, point, std::move(run)});
+    validated.accepted = validated.attempts.back().run.judgement.accepted;
+    progress.say(fmt::format("  {}", validated.attempts.back().run.judgement.reason));
+    if (validated.accepted) break;
+  }
+  return validated;
+}
+
+// The package of the accepted attempt, or of the original alone.
+Result<Package> packageOfChoice(const Subject& subject, const Training& training, const FittedTraining& fitted, const Validated& validated) {
+  VariantOptions options = baseOptions(subject, {});
+  options.strategy = "original";
+  std::size_t candidate = 0;
+  if (validated.accepted) {
+    const ValidationAttempt& attempt = validated.attempts.back();
+    const ErrorStudy& study = training.errors[training.costs[fitted.cost_study[attempt.configuration]].error_study];
+    candidate = study.candidate;
+    options = study.options;
+    options.instrumented = false;
+    options.strategy = fitted.input.configurations[attempt.configuration].strategy;
+    options.period_frames = attempt.point.period_frames;
+  }
+  REPRISE_ASSIGN(Package package, buildPackage(subject.program, subject.candidates.empty() ? Candidate{} : subject.candidates[candidate],
+                                               options, subject.limits));
+  package.tool_version = kToolVersion;
+  return package;
+}
+
+Result<void> makeImages(const Subject& subject, const Workspace& workspace, const Measuring& measuring, const Training& training,
+                        const FittedTraining& fitted, const Validated& validated, RunResult& result) {
+  if (!validated.accepted) return {};
+  const ValidationAttempt& attempt = validated.attempts.back();
+  const ErrorStudy& study = training.errors[training.costs[fitted.cost_study[attempt.configuration]].error_study];
+  VariantOptions options = study.options;
+  options.strategy = fitted.input.configurations[attempt.configuration].strategy;
+  options.instrumented = true;
+  REPRISE_ASSIGN(const StoredVariant counting, storeVariant(workspace, subject.program, subject.candidates[study.candidate], options, subject.limits));
+  Job job;
+  job.kind = JobKind::kImages;
+  job.scenario_path = measuring.scenario_path;
+  job.session = attempt.run.sessions.front().name;
+  job.original_dir = measuring.original_dir;
+  job.entries = {{counting.dir, attempt.point.period_frames}};
+  job.device = measuring.device;
+  job.image_frame = std::max(firstSettledFrame(attempt.point.period_frames), 8);
+  job.image_dir = workspace.imagesDir().string();
+  REPRISE_ASSIGN(const JobResult made, superviseJob(job, measuring.supervisor, {}));
+  result.images.session = job.session;
+  result.images.frame = job.image_frame;
+  result.images.error_gain = kErrorGain;
+  const auto named = [&](std::size_t index) {
+    return index < made.images.size() ? std::filesystem::path(made.images[index]).filename().string() : std::string();
+  };
+  result.images.original = named(0);
+  result.images.cached = named(1);
+  result.images.error = named(2);
+  result.images.hit_miss = named(3);
+  result.images.hit_color = kHitColorText;
+  result.images.miss_color = kMissColorText;
+  return {};
+}
+
+Result<ReportImages> readImages(const RunImages& images, const std::filesystem::path& directory) {
+  ReportImages loaded;
+  const auto load = [&](const std::string& name, std::vector<std::uint8_t>& to) -> Result<void> {
+    if (name.empty()) return {};
+    REPRISE_ASSIGN(const std::string bytes, readFile(directory / name));
+    to.assign(bytes.begin(), bytes.end());
+    return {};
+  };
+  REPRISE_TRY(load(images.original, loaded.original));
+  REPRISE_TRY(load(images.cached, loaded.cached));
+  REPRISE_TRY(load(images.error, loaded.error));
+  REPRISE_TRY(load(images.hit_miss, loaded.hit_miss));
+  return loaded;
+}
+
+void describeOriginal(const Training& training, const FittedTraining& fitted, const Selection& selection, const Validated& validated, RunResult& result) {
+  std::vector<double> clock, wall, prepass;
+  for (const TimedFrame& frame : training.original) clock.push_back(frame.clock_ms), wall.push_back(frame.wall_ms);
+  for (const TimedFrame& frame : training.prepass) prepass.push_back(frame.clock_ms);
+  const auto known = [](double value) { return std::isfinite(value) ? std::optional<double>(value) : std::nullopt; };
+  result.original = {known(medianOf(clock)), known(medianOf(wall)), known(medianOf(prepass))};
+  if (!validated.attempts.empty()) {
+    const ValidationRun& run = validated.attempts.back().run;
+    if (std::isfinite(run.original_ms)) result.original = {known(run.original_ms), known(run.original_wall_ms), known(run.prepass_ms)};
+  }
+  if (validated.accepted) return;
+  result.choice.kind = ChoiceKind::kOriginal;
+  if (fitted.input.configurations.empty() && selection.original_reason.empty()) {
+    result.choice.reason = "no value of the shader is worth caching under the threshold";
+  } else if (validated.attempts.empty()) {
+    result.choice.reason = selection.original_reason;
+  } else {
+    result.choice.reason = "no variant kept its promise in validation; the last one: " + validated.attempts.back().run.judgement.reason;
+  }
+}
+
+}  // namespace
+
+Result<RunResult> optimize(const OptimizeArguments& arguments, Progress& progress) {
+  REPRISE_TRY(checkArguments(arguments));
+  REPRISE_ASSIGN(const Subject subject, readSubject(arguments.scenario));                       // 1 compile .. 4 enumerate
+  REPRISE_ASSIGN(const DeviceSummary device, chosenDevice(arguments.device));
+  REPRISE_ASSIGN(const Workspace workspace, Workspace::open(arguments.output));
+  REPRISE_TRY(copyInputs(subject, workspace.scenarioFile()));
+  RunResult result = describeSubject(subject, arguments, device);
+  StageClock clock(result, progress);
+  clock.end("compile");
+
+  REPRISE_ASSIGN(Bench bench, openBench(subject, workspace, arguments, device));
+  bench.measuring.store = &bench.store;
+  TrainOptions options;
+  options.metric = arguments.metric;
+  options.max_error = arguments.max_error;
+  options.budget_s = arguments.budget_s;
+  options.cpu_clock = device.is_cpu;
+  REPRISE_ASSIGN(const Training training, train(subject, workspace, bench.measuring, options, progress));  // 5 rewrite .. 7 train
+  clock.end("train");
+
+  const FittedTraining fitted = fitTraining(subject, training, arguments.metric);              // 8 fit
+  Selection selection;                                                                          // 9 select
+  if (fitted.input.original_frame_ms > 0) {
+    SelectionOptions selecting;
+    selecting.threshold = arguments.max_error;
+    selecting.shorter_periods = true;
+    REPRISE_ASSIGN(selection, select(fitted.input, selecting));
+  }
+  clock.end("fit and select");
+
+  REPRISE_ASSIGN(const Validated validated, validateInOrder(subject, workspace, bench.measuring, training, fitted, selection, options, progress));
+  clock.end("validate");                                                                        // 10 validate
+
+  result.candidates = describeCandidates(subject, training, fitted, selection, arguments.metric);
+  result.warnings = training.warnings;
+  result.not_reached = training.not_reached;
+  for (const ValidationAttempt& attempt : validated.attempts) result.attempts.push_back(describeAttempt(fitted, attempt));
+  if (validated.accepted) describeAccepted(subject, training, fitted, validated.attempts.back(), result);
+  if (!validated.attempts.empty()) result.validation = describeSessions(validated.attempts.back().run, arguments.metric);
+  describeOriginal(training, fitted, selection, validated, result);
+  REPRISE_TRY(makeImages(subject, workspace, bench.measuring, training, fitted, validated, result));
+  REPRISE_ASSIGN(const Package package, packageOfChoice(subject, training, fitted, validated));
+  REPRISE_TRY(writePackage(package, workspace.packageDir()));                                   // 6 emit
+  result.finished_at = utcNow();
+  clock.end("emit and report");
+  REPRISE_TRY(writeFile(workspace.root() / "result.json", resultToJson(result)));
+  REPRISE_TRY(reportAgain(workspace.root().string()));                                          // 11 report
+  return result;
+}
+
+Result<RunResult> validateAgain(const std::string& directory, const OptimizeArguments& arguments, Progress& progress) {
+  const std::filesystem::path root = directory;
+  REPRISE_ASSIGN(const std::string text, readFile(root / "result.json"));
+  REPRISE_ASSIGN(RunResult result, resultFromJson(text));
+  REPRISE_ASSIGN(const Package package, readPackage(root / "package"));
+  if (result.choice.kind == ChoiceKind::kOriginal)
+    return Error{ErrorKind::kInput, "validate.original", "the choice of '" + directory + "' is the original; there is nothing to validate", {}};
+  REPRISE_ASSIGN(const Subject subject, readSubject(root / "scenario" / "scenario.toml"));
+  REPRISE_ASSIGN(const DeviceSummary device, chosenDevice(arguments.device));
+  REPRISE_ASSIGN(const Workspace workspace, Workspace::open(directory));
+  REPRISE_ASSIGN(Bench bench, openBench(subject, workspace, arguments, device));
+  bench.measuring.store = &bench.store;
+  bench.measuring.metrics = {result.threshold.metric};
+  ValidationPlan plan;
+  const auto candidate = std::find_if(subject.candidates.begin(), subject.candidates.end(),
+                                      [&](const Candidate& one) { return one.id == result.choice.candidate_id; });
+  if (candidate == subject.candidates.end())
+    return Error{ErrorKind::kInput, "validate.payload", "the payload '" + result.choice.candidate_id + "' is not in the shader of '" + directory + "'", {}};
+  plan.candidate = static_cast<std::size_t>(candidate - subject.candidates.begin());
+  const Recipe& recipe = package.variant;
+  plan.options = baseOptions(subject, rangesOf(recipe));
+  plan.options.strategy = recipe.strategy;
+  plan.options.pattern = recipe.pattern;
+  plan.options.block_pixels = recipe.block_pixels;
+  plan.options.filter = recipe.filter;
+  plan.options.encoding = recipe.encoding;
+  plan.options.period_frames = recipe.period_frames;
+  plan.metric = result.threshold.metric;
+  plan.max_error = result.threshold.value;
+  plan.cpu_clock = device.is_cpu;
+  REPRISE_ASSIGN(const ValidationRun run, validateChoice(subject, workspace, bench.measuring, plan, progress));
+  result.device = {device.name, device.driver, device.is_cpu, processorName()};
+  result.choice.measured_error = run.measured_error;
+  result.choice.worst_frame_error = run.worst_frame_error;
+  result.choice.measured_speedup = run.binding.ratio;
+  result.choice.speedup_ci95 = RunInterval{run.binding.lo, run.binding.hi};
+  result.choice.reason = run.judgement.reason;
+  result.validation = describeSessions(run, result.threshold.metric);
+  if (!run.judgement.accepted) return Error{ErrorKind::kInput, run.judgement.code, run.judgement.reason, {}};
+  return result;
+}
+
+Result<void> reportAgain(const std::string& directory) {
+  const std::filesystem::path root = directory;
+  REPRISE_ASSIGN(const std::string text, readFile(root / "result.json"));
+  REPRISE_ASSIGN(const RunResult result, resultFromJson(text));
+  REPRISE_ASSIGN(const ReportImages images, readImages(result.images, root / "images"));
+  return writeReport(result, images, root / "report.html");
+}
+
+}  // namespace reprise

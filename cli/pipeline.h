@@ -1,0 +1,35 @@
+// A run from a scenario to a package, stage by stage. The table of contents of the project.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "cli/progress.h"
+#include "cli/report/result.h"
+#include "runtime/base/result.h"
+
+namespace reprise {
+
+struct OptimizeArguments {
+  std::string scenario;         // path of the TOML file
+  double max_error = 0.02;
+  std::string metric = "rms";
+  double budget_s = 0;          // of training; 0: none
+  std::string output = "out";
+  std::string device;
+  std::string worker_path;      // this executable
+  std::string command;          // as typed, for the report
+  std::function<bool()> interrupted;
+};
+
+// Writes DIR/package, DIR/scenario, DIR/result.json and DIR/report.html; returns what result.json holds. Errors: of the stages.
+Result<RunResult> optimize(const OptimizeArguments& arguments, Progress& progress);
+
+// Measures DIR's choice again on this device; the result is that of the run with choice, original and validation renewed. Does not
+// write. Errors: result.*, package.*, and of the stages.
+Result<RunResult> validateAgain(const std::string& directory, const OptimizeArguments& arguments, Progress& progress);
+
+// The report again from result.json and the images beside it.
+Result<void> reportAgain(const std::string& directory);
+
+}  // namespace reprise

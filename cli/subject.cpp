@@ -1,0 +1,64 @@
+#include "cli/subject.h"
+
+#include <algorithm>
+
+#include "compiler/source/compile.h"
+#include "profiler/scenario/read_scenario.h"
+#include "runtime/base/file.h"
+
+namespace reprise {
+namespace {
+
+Result<CompiledShader> compileStage(const Scenario& scenario, const std::string& path, ShaderStage stage) {
+  CompileOptions options;
+  options.stage = stage;
+  for (const std::string& directory : scenario.include_dirs) options.include_dirs.emplace_back(directory);
+  options.defines = scenario.defines;
+  return compile(path, options);
+}
+
+}  // namespace
+
+Result<Subject> readSubject(const std::filesystem::path& scenario_file) {
+  Subject subject;
+  REPRISE_ASSIGN(subject.scenario, readScenario(scenario_file));
+  const Scenario& scenario = subject.scenario;
+  REPRISE_ASSIGN(const CompiledShader vertex, compileStage(scenario, scenario.vertex_path, ShaderStage::kVertex));
+  REPRISE_ASSIGN(const CompiledShader fragment, compileStage(scenario, scenario.fragment_path, ShaderStage::kFragment));
+  REPRISE_ASSIGN(subject.program, readProgram(vertex, fragment));
+  REPRISE_TRY(checkBindings(scenario, subject.program.interface));
+  subject.candidates = enumerateCandidates(*subject.program.fragment, subject.program.analysis, subject.program.sources, {});
+  subject.limits.strict_depth_with_writes =
+      scenario.state.compare == DepthCompare::kLess || scenario.state.compare == DepthCompare::kGreater;
+  subject.limits.stencil = scenario.state.depth_stencil;
+  subject.orthographic = scenario.sessions.front().camera.orthographic;
+  for (const SessionSpec& session : scenario.sessions)
+    if (session.camera.orthographic != subject.orthographic)
+      return Error{ErrorKind::kInput, "scenario.mixed_projection",
+                   "session '" + session.name + "' differs from the first in its projection; one recipe serves perspective or "
+                   "orthographic cameras, so split the scenario in two", {scenario.path, 0, 0}};
+  return subject;
+}
+
+Result<void> copyInputs(const Subject& subject, const std::filesystem::path& scenario_file) {
+  const std::filesystem::path directory = scenario_file.parent_path();
+  Scenario copy = subject.scenario;
+  copy.vertex_path = (directory / "vertex.spv").string();
+  copy.fragment_path = (directory / "fragment.spv").string();
+  copy.include_dirs.clear();
+  copy.defines.clear();
+  REPRISE_TRY(writeFile(copy.vertex_path, bytesOf(subject.program.vertex_words)));
+  REPRISE_TRY(writeFile(copy.fragment_path, bytesOf(subject.program.fragment_words)));
+  for (std::size_t i = 0; i < copy.textures.size(); ++i) {
+    TextureSpec& texture = copy.textures[i];
+    if (texture.kind != TextureKind::kFile) continue;
+    REPRISE_ASSIGN(const std::string bytes, readFile(texture.path));
+    texture.path = (directory / (std::to_string(i) + "_" + std::filesystem::path(texture.path).filename().string())).string();
+    REPRISE_TRY(writeFile(texture.path, bytes));
+  }
+  for (const SourceFile& source : subject.program.sources)
+    REPRISE_TRY(writeFile(directory / "sources" / std::filesystem::path(source.path).filename(), source.text));
+  return writeFile(scenario_file, writeScenario(copy, directory));
+}
+
+}  // namespace reprise

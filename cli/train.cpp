@@ -1,0 +1,374 @@
+#include "cli/train.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/fit.h"
+
+namespace reprise {
+namespace {
+
+constexpr int kProbeFrames = 12;
+constexpr std::uint32_t kProbeScale = 4;
+constexpr float kRangeMargin = 0.05f;
+
+std::vector<std::string> sessionNames(const Scenario& scenario, SessionRole role) {
+  std::vector<std::string> names;
+  for (const SessionSpec& session : scenario.sessions)
+    if (session.role == role) names.push_back(session.name);
+  return names;
+}
+
+class Trainer {
+ public:
+  Trainer(const Subject& subject, const Workspace& workspace, const Measuring& measuring, const TrainOptions& options, Progress& progress)
+      : subject_(subject), workspace_(workspace), measuring_(measuring), options_(options), progress_(progress),
+        sessions_(sessionNames(subject.scenario, SessionRole::kTraining)) {
+    measuring_.progress = [this](const JobProgress& state) { progress_.update(state.done, state.total); };
+  }
+
+  Result<Training> run() {
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < subject_.candidates.size(); ++i)
+      if (subject_.candidates[i].kept()) kept.push_back(i);
+    REPRISE_TRY(probe(kept));
+    for (const std::size_t candidate : kept)
+      if (training_.failed.count(candidate) == 0) addStudy(candidate, baseOptions(subject_, training_.ranges[candidate]));
+    REPRISE_TRY(measureStudies(0, studyPeriods()));
+    REPRISE_TRY(timeCandidates());
+    REPRISE_TRY(refine());
+    return std::move(training_);
+  }
+
+ private:
+  bool outOfBudget(const std::string& what) {
+    if (options_.budget_s <= 0 || progress_.elapsedSeconds() < options_.budget_s) return false;
+    training_.not_reached.push_back(what);
+    return true;
+  }
+
+  std::vector<std::uint32_t> studyPeriods() const {
+    std::vector<std::uint32_t> periods;
+    for (const std::uint32_t period : subject_.scenario.periods)
+      if (period != 1) periods.push_back(period);
+    return periods;
+  }
+
+  Result<void> probe(const std::vector<std::size_t>& kept) {
+    Job job;
+    job.kind = JobKind::kProbe;
+    job.scenario_path = measuring_.scenario_path;
+    job.original_dir = measuring_.original_dir;
+    job.device = measuring_.device;
+    job.frames = kProbeFrames;
+    job.width = std::max(64u, measuring_.base.width / kProbeScale);
+    job.height = std::max(36u, measuring_.base.height / kProbeScale);
+    std::vector<std::size_t> probed;
+    for (const std::size_t candidate : kept) {
+      VariantOptions options = baseOptions(subject_, wideRanges());
+      options.strategy = "branch";
+      options.encoding = Encoding::kRgba32f;
+      const Result<StoredVariant> variant = storeVariant(workspace_, subject_.program, subject_.candidates[candidate], options, subject_.limits);
+      if (!variant.ok()) {
+        if (variant.error().kind != ErrorKind::kRefused) return variant.error();
+        training_.failed[candidate] = variant.error().message;
+        continue;
+      }
+      job.entries.push_back({variant->dir, 1});
+      probed.push_back(candidate);
+    }
+    if (probed.empty()) return {};
+    progress_.begin("probe payload ranges");
+    std::map<std::size_t, ProbeResult> merged;
+    for (const std::string& session : sessions_) {
+      job.session = session;
+      const Result<JobResult> result = superviseJob(job, measuring_.supervisor, measuring_.progress);
+      if (!result.ok()) {
+        if (result.error().kind != ErrorKind::kMeasurement) return result.error();
+        for (const std::size_t candidate : probed) training_.failed[candidate] = result.error().message;
+        return {};
+      }
+      for (std::size_t i = 0; i < probed.size(); ++i) merge(merged, probed[i], result->probes[i]);
+    }
+    for (const auto& [candidate, probe] : merged) rangesFrom(candidate, probe);
+    return {};
+  }
+
+  static void merge(std::map<std::size_t, ProbeResult>& merged, std::size_t candidate, const ProbeResult& probe) {
+    const auto [entry, fresh] = merged.emplace(candidate, probe);
+    if (fresh) return;
+    ProbeResult& all = entry->second;
+    for (int channel = 0; channel < 4; ++channel) {
+      all.payload_min[channel] = std::min(all.payload_min[channel], probe.payload_min[channel]);
+      all.payload_max[channel] = std::max(all.payload_max[channel], probe.payload_max[channel]);
+    }
+    all.depth_min = std::min(all.depth_min, probe.depth_min);
+    all.depth_max = std::max(all.depth_max, probe.depth_max);
+    all.nonfinite_payload += probe.nonfinite_payload;
+    all.nonfinite_color += probe.nonfinite_color;
+    all.covered += probe.covered;
+  }
+
+  ValueRanges wideRanges() const {
+    ValueRanges ranges;
+    ranges.depth_near = 1e9f;
+    ranges.depth_far = 0;
+    for (const SessionSpec& session : subject_.scenario.sessions) {
+      ranges.depth_near = std::min(ranges.depth_near, session.camera.near_plane);
+      ranges.depth_far = std::max(ranges.depth_far, session.camera.far_plane);
+    }
+    // Orthographic history depth is clip z.
+    if (subject_.orthographic) ranges.depth_near = 0, ranges.depth_far = 1;
+    return ranges;
+  }
+
+  // The depth range is widened: validation paths and applications come nearer and go farther than training did.
+  void rangesFrom(std::size_t candidate, const ProbeResult& probe) {
+    ValueRanges ranges = wideRanges();
+    if (probe.covered > 0 && probe.depth_max > probe.depth_min) {
+      const float near = ranges.depth_near, far = ranges.depth_far;
+      ranges.depth_near = std::max(near, probe.depth_min * 0.5f);
+      ranges.depth_far = std::min(far, probe.depth_max * 1.5f);
+    }
+    for (std::size_t channel = 0; channel < 4; ++channel) {
+      const float margin = (probe.payload_max[channel] - probe.payload_min[channel]) * kRangeMargin;
+      ranges.payload_min[channel] = probe.payload_min[channel] - margin;
+      ranges.payload_max[channel] = probe.payload_max[channel] + margin;
+    }
+    training_.ranges[candidate] = ranges;
+    const std::string& id = subject_.candidates[candidate].id;
+    if (probe.nonfinite_payload > 0)
+      training_.warnings.push_back(fmt::format("{}: {} pixels had a payload that is not finite; such pixels always miss", id, probe.nonfinite_payload));
+    if (probe.nonfinite_color > 0 && !warned_nonfinite_) {
+      warned_nonfinite_ = true;
+      training_.warnings.push_back(fmt::format("the original shader itself gives NaN or infinity in {} pixels of the probe; they are left out of errors",
+                                               probe.nonfinite_color));
+    }
+  }
+
+  void addStudy(std::size_t candidate, const VariantOptions& options) {
+    VariantOptions instrumented = options;
+    instrumented.instrumented = true;
+    // Errors are the same in every strategy (law 11); where depth allows it, two passes render fastest on CPU devices.
+    instrumented.strategy = subject_.limits.strict_depth_with_writes ? "two_pass" : "branch";
+    training_.errors.push_back({candidate, instrumented, {}, ""});
+  }
+
+  // Errors of all studies from `first` on, session by session, all entries of a session in one job.
+  Result<void> measureStudies(std::size_t first, const std::vector<std::uint32_t>& periods) {
+    std::vector<SeriesRequest> requests;
+    std::vector<std::pair<std::size_t, std::uint32_t>> places;
+    for (std::size_t study = first; study < training_.errors.size(); ++study) {
+      ErrorStudy& errors = training_.errors[study];
+      const Result<StoredVariant> variant =
+          storeVariant(workspace_, subject_.program, subject_.candidates[errors.candidate], errors.options, subject_.limits);
+      if (!variant.ok()) {
+        if (variant.error().kind != ErrorKind::kRefused) return variant.error();
+        errors.failure = variant.error().message;
+        continue;
+      }
+      for (const std::uint32_t period : periods) {
+        requests.push_back({variant->dir, variant->hash, period});
+        places.push_back({study, period});
+      }
+    }
+    if (requests.empty()) return {};
+    for (const std::string& session : sessions_) {
+      if (outOfBudget(fmt::format("errors of {} variants in session '{}'", requests.size(), session))) continue;
+      progress_.begin(fmt::format("errors: {} x {}", session, requests.size()));
+      REPRISE_ASSIGN(std::vector<ErrorSeries> series, measureErrors(measuring_, session, requests, 0));
+      for (std::size_t i = 0; i < series.size(); ++i) {
+        ErrorStudy& errors = training_.errors[places[i].first];
+        if (series[i].failure) {
+          errors.failure = series[i].failure->message;
+        } else {
+          errors.rows[places[i].second][session] = std::move(series[i].rows);
+        }
+      }
+    }
+    return {};
+  }
+
+  // The longest trained period whose predicted error stays under the threshold; 0 if even 2 does not.
+  std::uint32_t longestPeriod(const ErrorStudy& study) const {
+    const ErrorFit fit = fitErrors(study, options_.metric);
+    if (!isUsable(fit.verdict)) return 0;
+    std::uint32_t longest = 0;
+    for (const std::uint32_t period : studyPeriods())
+      if (period != kNeverRefresh && predictError(fit, period).value <= options_.max_error) longest = std::max(longest, period);
+    return longest;
+  }
+
+  std::vector<std::string> usableStrategies() const {
+    std::vector<std::string> names;
+    for (const Strategy& strategy : strategies()) {
+      if (!strategy.selectable || (strategy.rejects_by_depth && !subject_.limits.strict_depth_with_writes) ||
+          (strategy.needs_stencil && !subject_.limits.stencil))
+        continue;
+      names.push_back(strategy.name);
+    }
+    return names;
+  }
+
+  Result<void> timeCandidates() {
+    std::vector<std::size_t> chosen;
+    for (std::size_t study = 0; study < training_.errors.size(); ++study) {
+      if (training_.errors[study].rows.empty() || longestPeriod(training_.errors[study]) < 2) continue;
+      if (chosen.size() == options_.timed_candidates) {
+        training_.not_reached.push_back("frame times of " + subject_.candidates[training_.errors[study].candidate].id + " (fewer candidates are timed than have an acceptable error)");
+        continue;
+      }
+      chosen.push_back(study);
+    }
+    if (chosen.empty()) return timeReferences();
+    std::vector<std::pair<std::size_t, std::string>> wanted;
+    for (const std::size_t study : chosen)
+      for (const std::string& strategy : usableStrategies()) wanted.push_back({study, strategy});
+    return timeVariants(wanted);
+  }
+
+  // The original's time is wanted also where no candidate is worth timing.
+  Result<void> timeReferences() { return timeVariants({}); }
+
+  struct TimedEntry {
+    enum class Kind { kOriginal, kPrepass, kLimit, kVariant } kind = Kind::kVariant;
+    std::size_t target = 0;  // candidate of a limit, index into Training::costs of a variant
+    std::uint32_t period = 1;
+  };
+
+  Result<void> addEntry(const VariantOptions& options, std::size_t candidate, const TimedEntry& entry,
+                        std::vector<SeriesRequest>& requests, std::vector<TimedEntry>& entries, std::string* failure) {
+    const Candidate& payload = subject_.candidates.empty() ? Candidate{} : subject_.candidates[candidate];
+    const Result<StoredVariant> variant = storeVariant(workspace_, subject_.program, payload, options, subject_.limits);
+    if (!variant.ok()) {
+      if (variant.error().kind != ErrorKind::kRefused) return variant.error();
+      if (failure != nullptr) *failure = variant.error().message;
+      return {};
+    }
+    requests.push_back({variant->dir, variant->hash, entry.period});
+    entries.push_back(entry);
+    return {};
+  }
+
+  Result<void> timeVariants(const std::vector<std::pair<std::size_t, std::string>>& wanted) {
+    std::vector<SeriesRequest> requests;
+    std::vector<TimedEntry> entries;
+    VariantOptions reference = baseOptions(subject_, wideRanges());
+    reference.strategy = "original";
+    REPRISE_TRY(addEntry(reference, 0, {TimedEntry::Kind::kOriginal, 0, 1}, requests, entries, nullptr));
+    reference.strategy = "original_prepass";
+    REPRISE_TRY(addEntry(reference, 0, {TimedEntry::Kind::kPrepass, 0, 1}, requests, entries, nullptr));
+    for (const auto& [study, strategy] : wanted) {
+      const ErrorStudy& errors = training_.errors[study];
+      VariantOptions options = errors.options;
+      options.instrumented = false;
+      if (training_.limits.emplace(errors.candidate, std::vector<TimedFrame>{}).second) {
+        options.strategy = "tail_only";
+        REPRISE_TRY(addEntry(options, errors.candidate, {TimedEntry::Kind::kLimit, errors.candidate, 1}, requests, entries, nullptr));
+      }
+      options.strategy = strategy;
+      training_.costs.push_back({study, strategy, {}, ""});
+      const std::uint32_t longest = std::max(2u, longestPeriod(errors));
+      std::vector<std::uint32_t> periods{2};
+      if (longest > 2) periods.push_back(longest);
+      for (const std::uint32_t period : periods)
+        REPRISE_TRY(addEntry(options, errors.candidate, {TimedEntry::Kind::kVariant, training_.costs.size() - 1, period}, requests, entries,
+                             &training_.costs.back().failure));
+    }
+    for (const std::string& session : sessions_) {
+      if (outOfBudget(fmt::format("frame times of {} variants in session '{}'", requests.size(), session))) continue;
+      progress_.begin(fmt::format("times: {} x {}", session, requests.size()));
+      REPRISE_ASSIGN(const std::vector<TimeSeries> series, measureTimes(measuring_, {session, options_.rounds, false}, requests));
+      for (std::size_t i = 0; i < series.size(); ++i) keepTimes(session, entries[i], series[i]);
+    }
+    return {};
+  }
+
+  std::vector<TimedFrame> timedFrames(const TimeSeries& series) const {
+    std::vector<TimedFrame> frames;
+    for (const TimeRow& row : series.rows) frames.push_back({row.frame, options_.cpu_clock ? row.cpu_ms : row.gpu_ms, row.wall_ms});
+    return frames;
+  }
+
+  void keepTimes(const std::string& session, const TimedEntry& entry, const TimeSeries& series) {
+    const std::vector<TimedFrame> frames = timedFrames(series);
+    const auto append = [&](std::vector<TimedFrame>& to) { to.insert(to.end(), frames.begin(), frames.end()); };
+    switch (entry.kind) {
+      case TimedEntry::Kind::kOriginal: append(training_.original); break;
+      case TimedEntry::Kind::kPrepass: append(training_.prepass); break;
+      case TimedEntry::Kind::kLimit: append(training_.limits[entry.target]); break;
+      case TimedEntry::Kind::kVariant:
+        if (series.failure) {
+          training_.costs[entry.target].failure = series.failure->message;
+        } else {
+          training_.costs[entry.target].frames[entry.period][session] = frames;
+        }
+        break;
+    }
+  }
+
+  Result<void> refine() {
+    const FittedTraining fitted = fitTraining(subject_, training_, options_.metric);
+    if (fitted.input.configurations.empty() || !(fitted.input.original_frame_ms > 0)) return {};
+    SelectionOptions selecting;
+    selecting.threshold = options_.max_error;
+    REPRISE_ASSIGN(const Selection selection, select(fitted.input, selecting));
+    if (selection.ranking.empty()) return {};
+    const TradeoffPoint& best = selection.ranking.front();
+    const CostStudy best_costs = training_.costs[fitted.cost_study[best.configuration]];
+    const ErrorStudy base = training_.errors[best_costs.error_study];
+    const std::size_t first = training_.errors.size();
+    const auto alternative = [&](auto change) {
+      VariantOptions options = base.options;
+      change(options);
+      addStudy(base.candidate, options);
+    };
+    alternative([](VariantOptions& options) { options.encoding = Encoding::kRgba8; });
+    alternative([](VariantOptions& options) { options.filter = Filter::kNearest; });
+    alternative([](VariantOptions& options) { options.pattern = PatternKind::kTiled; });
+    alternative([](VariantOptions& options) { options.pattern = PatternKind::kRandom; });
+    alternative([](VariantOptions& options) { options.encoding = Encoding::kRgba32f; });
+    std::vector<std::uint32_t> periods;
+    std::uint32_t longest = 2;
+    for (const std::uint32_t period : studyPeriods()) longest = std::max(longest, period);
+    for (const std::uint32_t period : {best.period_frames, longest})
+      if (period != kNeverRefresh && std::find(periods.begin(), periods.end(), period) == periods.end()) periods.push_back(period);
+    if (std::find(periods.begin(), periods.end(), 2u) == periods.end()) periods.insert(periods.begin(), 2u);
+    REPRISE_TRY(measureStudies(first, periods));
+    std::vector<std::pair<std::size_t, std::string>> wanted;
+    for (std::size_t study = first; study < training_.errors.size(); ++study)
+      if (!training_.errors[study].rows.empty() && longestPeriod(training_.errors[study]) >= 2) wanted.push_back({study, best_costs.strategy});
+    return wanted.empty() ? Result<void>{} : timeVariants(wanted);
+  }
+
+  const Subject& subject_;
+  const Workspace& workspace_;
+  Measuring measuring_;
+  const TrainOptions& options_;
+  Progress& progress_;
+  std::vector<std::string> sessions_;
+  Training training_;
+  bool warned_nonfinite_ = false;
+};
+
+}  // namespace
+
+VariantOptions baseOptions(const Subject& subject, const ValueRanges& ranges) {
+  VariantOptions options;
+  options.pattern = PatternKind::kInterleaved;
+  options.block_pixels = 16;
+  options.filter = Filter::kBilinear;
+  options.encoding = Encoding::kRgba16f;
+  options.orthographic = subject.orthographic;
+  options.ranges = ranges;
+  return options;
+}
+
+Result<Training> train(const Subject& subject, const Workspace& workspace, const Measuring& measuring, const TrainOptions& options,
+                       Progress& progress) {
+  return Trainer(subject, workspace, measuring, options, progress).run();
+}
+
+}  // namespace reprise

@@ -1,0 +1,40 @@
+// Training: which variants are measured, in which order, and what came out (stage 7).
+//
+// The order of work, each step a prefix of the next larger run (law 9):
+//   1 probe     ranges of payload and depth, at a quarter of the resolution, for every candidate
+//   2 errors    every candidate in the base configuration (bilinear, rgba16f, interleaved 16), all periods, all sessions
+//   3 costs     the candidates whose error allows a period of 2 or more, in every strategy that the state allows, at two periods,
+//               with the original, the original behind a prepass and the tail-only limit in the same run
+//   4 refine    the fastest configuration so far with other filters, encodings and patterns: errors at its period and at the
+//               longest, then costs in its strategy
+// The budget is looked at before each step of each session; what was not reached is said.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "cli/progress.h"
+#include "cli/subject.h"
+#include "cli/trained.h"
+#include "cli/workspace.h"
+#include "profiler/training/measure.h"
+
+namespace reprise {
+
+struct TrainOptions {
+  std::string metric = "rms";
+  double max_error = 0.02;
+  double budget_s = 0;            // 0: none
+  std::size_t timed_candidates = 3;
+  int rounds = 20;
+  bool cpu_clock = true;           // the binding clock: process CPU time, else time stamps
+};
+
+// `measuring` is ready but for its progress callback. Errors: kInterrupted and kMachine; failures of variants are rows.
+Result<Training> train(const Subject& subject, const Workspace& workspace, const Measuring& measuring, const TrainOptions& options,
+                       Progress& progress);
+
+// The options of a variant of this subject in the base configuration, with the ranges seen.
+VariantOptions baseOptions(const Subject& subject, const ValueRanges& ranges);
+
+}  // namespace reprise

@@ -1,0 +1,39 @@
+#include "cli/trained.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "profiler/metrics/metrics.h"
+
+namespace reprise {
+
+int firstSettledFrame(std::uint32_t period_frames) {
+  return period_frames == kNeverRefresh ? 2 : static_cast<int>(2 * period_frames);
+}
+
+std::optional<double> sessionError(const std::string& metric, const std::vector<const std::vector<ErrorRow>*>& sessions,
+                                   std::uint32_t period_frames) {
+  const Metric* definition = findMetric(metric);
+  REPRISE_CHECK(definition != nullptr, metric);
+  std::vector<double> values, weights;
+  for (const std::vector<ErrorRow>* rows : sessions)
+    for (const ErrorRow& row : *rows) {
+      const auto value = row.errors.find(metric);
+      if (row.frame < firstSettledFrame(period_frames) || row.covered == 0 || value == row.errors.end() || !std::isfinite(value->second)) continue;
+      values.push_back(value->second);
+      weights.push_back(static_cast<double>(row.covered));
+    }
+  if (values.empty()) return std::nullopt;
+  return combineFrames(*definition, values, weights);
+}
+
+double medianOf(std::vector<double> values) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
+
+}  // namespace reprise

@@ -1,0 +1,55 @@
+// What training found, as values: error curves, hit rates and frame times of the variants that were measured.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/strategies/build_recipe.h"
+#include "fitting/selection/select.h"
+#include "profiler/measurements/row.h"
+
+namespace reprise {
+
+// One way to keep one candidate, strategy aside: its errors hold for all strategies (law 11).
+struct ErrorStudy {
+  std::size_t candidate = 0;  // index into Subject::candidates
+  VariantOptions options;     // of the instrumented variant that was rendered
+  std::map<std::uint32_t, std::map<std::string, std::vector<ErrorRow>>> rows;  // by period, then session
+  std::string failure;        // why there are no rows
+};
+
+struct TimedFrame {
+  int frame = 0;
+  double clock_ms = 0, wall_ms = 0;  // of the binding clock; of the wall
+};
+
+struct CostStudy {
+  std::size_t error_study = 0;  // index into Training::errors
+  std::string strategy;
+  std::map<std::uint32_t, std::map<std::string, std::vector<TimedFrame>>> frames;  // by period, then session
+  std::string failure;
+};
+
+struct Training {
+  std::vector<ErrorStudy> errors;
+  std::vector<CostStudy> costs;
+  std::vector<TimedFrame> original, prepass;        // over all timed sessions
+  std::map<std::size_t, std::vector<TimedFrame>> limits;  // tail-only, by candidate
+  std::map<std::size_t, ValueRanges> ranges;        // by candidate
+  std::vector<std::string> warnings, not_reached;
+  std::map<std::size_t, std::string> failed;        // candidate -> why
+};
+
+// Error of a session's rows by metric: combined over the covered pixels of all frames from 2 x period on (from frame 2 on for
+// "never"). rms: root of the weighted mean of squares; others: weighted mean. nullopt where no frame is left.
+std::optional<double> sessionError(const std::string& metric, const std::vector<const std::vector<ErrorRow>*>& sessions,
+                                   std::uint32_t period_frames);
+
+// Frames before this one are still under the influence of the all-miss start.
+int firstSettledFrame(std::uint32_t period_frames);
+
+double medianOf(std::vector<double> values);  // NaN if empty
+
+}  // namespace reprise

@@ -1,0 +1,143 @@
+#include "cli/validate_choice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace reprise {
+namespace {
+
+struct Times {
+  std::vector<double> clock, wall;
+};
+
+void append(Times& times, const std::vector<TimeRow>& rows, bool cpu_clock) {
+  for (const TimeRow& row : rows) {
+    times.clock.push_back(cpu_clock ? row.cpu_ms : row.gpu_ms);
+    times.wall.push_back(row.wall_ms);
+  }
+}
+
+std::vector<TimedFrame> framesOf(const std::vector<TimeRow>& rows, bool cpu_clock) {
+  std::vector<TimedFrame> frames;
+  for (const TimeRow& row : rows) frames.push_back({row.frame, cpu_clock ? row.cpu_ms : row.gpu_ms, row.wall_ms});
+  return frames;
+}
+
+struct Entries {
+  std::vector<SeriesRequest> requests;
+  int prepass = -1, limit = -1, variant = -1;  // indices; the original is 0
+};
+
+Result<Entries> timedEntries(const Subject& subject, const Workspace& workspace, const ValidationPlan& plan) {
+  Entries entries;
+  const Candidate& candidate = subject.candidates[plan.candidate];
+  const auto add = [&](const std::string& strategy, std::uint32_t period) -> Result<int> {
+    VariantOptions options = plan.options;
+    options.strategy = strategy;
+    options.instrumented = false;
+    const Result<StoredVariant> variant = storeVariant(workspace, subject.program, candidate, options, subject.limits);
+    if (!variant.ok()) return variant.error().kind == ErrorKind::kRefused ? Result<int>(-1) : Result<int>(variant.error());
+    entries.requests.push_back({variant->dir, variant->hash, period});
+    return static_cast<int>(entries.requests.size()) - 1;
+  };
+  REPRISE_TRY(add("original", 1));
+  REPRISE_ASSIGN(entries.prepass, add("original_prepass", 1));
+  REPRISE_ASSIGN(entries.limit, add("tail_only", 1));
+  REPRISE_ASSIGN(entries.variant, add(plan.options.strategy, plan.options.period_frames));
+  return entries;
+}
+
+// Errors and counts of the very variant, from its counting copy.
+Result<bool> measureValidationErrors(const Subject& subject, const Workspace& workspace, const Measuring& measuring,
+                                     const ValidationPlan& plan, ValidationRun& run) {
+  VariantOptions options = plan.options;
+  options.instrumented = true;
+  REPRISE_ASSIGN(const StoredVariant counting, storeVariant(workspace, subject.program, subject.candidates[plan.candidate], options, subject.limits));
+  for (ValidatedSession& session : run.sessions) {
+    REPRISE_ASSIGN(std::vector<ErrorSeries> series,
+                   measureErrors(measuring, session.name, {{counting.dir, counting.hash, plan.options.period_frames}}, 0));
+    if (series[0].failure) {
+      run.judgement = {false, "judge.unmeasured", "the variant could not be played: " + series[0].failure->message};
+      return false;
+    }
+    session.rows = std::move(series[0].rows);
+  }
+  return true;
+}
+
+void summarizeErrors(const ValidationPlan& plan, ValidationRun& run) {
+  std::vector<const std::vector<ErrorRow>*> all;
+  const int settled = firstSettledFrame(plan.options.period_frames);
+  double hits = 0, covered = 0, fragments = 0, frames = 0;
+  run.worst_session_error = 0;
+  for (const ValidatedSession& session : run.sessions) {
+    all.push_back(&session.rows);
+    const auto error = sessionError(plan.metric, {&session.rows}, plan.options.period_frames);
+    if (error) run.worst_session_error = std::max(run.worst_session_error, *error);
+    for (const ErrorRow& row : session.rows) {
+      run.nonfinite += row.nonfinite;
+      if (row.frame < settled) continue;
+      hits += static_cast<double>(row.hits);
+      covered += static_cast<double>(row.covered);
+      fragments += static_cast<double>(row.shaded_hits + row.shaded_misses);
+      ++frames;
+      const auto value = row.errors.find(plan.metric);
+      if (value != row.errors.end() && std::isfinite(value->second)) run.worst_frame_error = std::max(run.worst_frame_error, value->second);
+    }
+  }
+  run.measured_error = sessionError(plan.metric, all, plan.options.period_frames).value_or(std::numeric_limits<double>::quiet_NaN());
+  if (!std::isfinite(run.measured_error)) run.worst_session_error = run.measured_error;
+  run.hit_rate = covered > 0 ? hits / covered : 0;
+  run.fragments_per_frame = frames > 0 ? fragments / frames : 0;
+}
+
+Result<void> measureValidationTimes(const Subject& subject, const Workspace& workspace, const Measuring& measuring,
+                                    const ValidationPlan& plan, ValidationRun& run) {
+  REPRISE_ASSIGN(const Entries entries, timedEntries(subject, workspace, plan));
+  std::vector<Times> times(entries.requests.size());
+  std::vector<std::vector<TimeSeries>> by_session;
+  for (const ValidatedSession& session : run.sessions) {
+    REPRISE_ASSIGN(std::vector<TimeSeries> series, measureTimes(measuring, {session.name, plan.rounds, true}, entries.requests));
+    for (std::size_t i = 0; i < series.size(); ++i) append(times[i], series[i].rows, plan.cpu_clock);
+    by_session.push_back(std::move(series));
+  }
+  const auto at = [&](int entry) -> const Times& { return times[static_cast<std::size_t>(entry)]; };
+  run.original_ms = medianOf(at(0).clock);
+  run.original_wall_ms = medianOf(at(0).wall);
+  run.prepass_ms = entries.prepass >= 0 ? medianOf(at(entries.prepass).clock) : std::numeric_limits<double>::quiet_NaN();
+  run.limit_ms = entries.limit >= 0 ? medianOf(at(entries.limit).clock) : std::numeric_limits<double>::quiet_NaN();
+  const int reference = run.prepass_ms < run.original_ms ? entries.prepass : 0;
+  run.reference = reference == 0 ? "original" : "original_prepass";
+  if (entries.variant < 0 || at(entries.variant).clock.size() != at(reference).clock.size()) return {};
+  run.binding = pairedRatio(at(reference).clock, at(entries.variant).clock);
+  run.wall = pairedRatio(at(reference).wall, at(entries.variant).wall);
+  for (std::size_t i = 0; i < run.sessions.size(); ++i) {
+    run.sessions[i].variant = framesOf(by_session[i][static_cast<std::size_t>(entries.variant)].rows, plan.cpu_clock);
+    run.sessions[i].reference = framesOf(by_session[i][static_cast<std::size_t>(reference)].rows, plan.cpu_clock);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<ValidationRun> validateChoice(const Subject& subject, const Workspace& workspace, const Measuring& measuring_given,
+                                     const ValidationPlan& plan, Progress& progress) {
+  Measuring measuring = measuring_given;
+  measuring.progress = [&](const JobProgress& state) { progress.update(state.done, state.total); };
+  ValidationRun run;
+  for (const SessionSpec& session : subject.scenario.sessions)
+    if (session.role == SessionRole::kValidation) run.sessions.push_back({session.name, {}, {}, {}});
+  progress.begin(fmt::format("validate {} n={}", plan.options.strategy, plan.options.period_frames));
+  REPRISE_ASSIGN(const bool played, measureValidationErrors(subject, workspace, measuring, plan, run));
+  if (!played) return run;
+  summarizeErrors(plan, run);
+  REPRISE_TRY(measureValidationTimes(subject, workspace, measuring, plan, run));
+  // The threshold holds for every session, not only for all of them together.
+  run.judgement = judge({run.worst_session_error, 0, run.binding, run.wall, plan.cpu_clock ? "process CPU time" : "time stamps"}, plan.max_error);
+  return run;
+}
+
+}  // namespace reprise

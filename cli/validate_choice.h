@@ -1,0 +1,50 @@
+// Validation: the choice on sessions that no fit has seen, timed anew (stage 10; law 7).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/progress.h"
+#include "cli/subject.h"
+#include "cli/trained.h"
+#include "cli/workspace.h"
+#include "fitting/selection/judge.h"
+#include "fitting/solve/paired_ratio.h"
+#include "profiler/training/measure.h"
+
+namespace reprise {
+
+struct ValidationPlan {
+  std::size_t candidate = 0;
+  VariantOptions options;      // with the period to validate
+  std::string metric = "rms";
+  double max_error = 0.02;
+  int rounds = 30;             // per session
+  bool cpu_clock = true;
+};
+
+struct ValidatedSession {
+  std::string name;
+  std::vector<ErrorRow> rows;
+  std::vector<TimedFrame> variant, reference;  // by round
+};
+
+struct ValidationRun {
+  std::vector<ValidatedSession> sessions;
+  double measured_error = 0;        // all sessions together
+  double worst_session_error = 0;   // what the threshold is held against
+  double worst_frame_error = 0;
+  double hit_rate = 0;              // of covered pixels, settled frames
+  PairedRatio binding, wall;        // against the faster of the original and the original with a prepass
+  std::string reference;            // which that was: "original" or "original_prepass"
+  double original_ms = 0, original_wall_ms = 0, prepass_ms = 0, limit_ms = 0;  // medians; NaN where not measured
+  double fragments_per_frame = 0;
+  std::uint64_t nonfinite = 0;
+  Judgement judgement;
+};
+
+// Errors: kInterrupted, kMachine; a variant that fails to run is judged "judge.unmeasured".
+Result<ValidationRun> validateChoice(const Subject& subject, const Workspace& workspace, const Measuring& measuring,
+                                     const ValidationPlan& plan, Progress& progress);
+
+}  // namespace reprise

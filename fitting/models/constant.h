@@ -1,0 +1,10 @@
+// The constant model of the error family (error_model.h).
+#pragma once
+
+#include "fitting/models/error_model.h"
+
+namespace reprise {
+
+const ErrorModel& constantErrorModel();
+
+}  // namespace reprise

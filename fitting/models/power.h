@@ -1,0 +1,10 @@
+// The power model of the error family (error_model.h).
+#pragma once
+
+#include "fitting/models/error_model.h"
+
+namespace reprise {
+
+const ErrorModel& powerErrorModel();
+
+}  // namespace reprise

@@ -1,0 +1,144 @@
+#include "fitting/solve/robust_linear.h"
+
+#include <ceres/ceres.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "runtime/base/check.h"
+
+namespace reprise {
+
+namespace {
+
+constexpr int kRounds = 8;
+constexpr double kHuberBend = 1.345;      // 95% efficiency for normal scatter
+constexpr double kFirstScatter = 0.1;     // before residuals have shown it
+constexpr double kLeastScatter = 1e-6;    // exact rows: keeps the loss from having no width
+constexpr double kMadToSigma = 1.4826;
+
+class RowResidual : public ceres::CostFunction {
+ public:
+  RowResidual(const LinearRow& row, int term_count, double weight) : row_(row), weight_(weight) {
+    set_num_residuals(1);
+    mutable_parameter_block_sizes()->push_back(term_count);
+  }
+
+  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
+    const int term_count = parameter_block_sizes()[0];
+    double predicted = 0;
+    for (int i = 0; i < term_count; ++i) predicted += row_.terms[i] * parameters[0][i];
+    residuals[0] = (predicted - row_.observed) * weight_;
+    if (jacobians && jacobians[0]) {
+      for (int i = 0; i < term_count; ++i) jacobians[0][i] = row_.terms[i] * weight_;
+    }
+    return true;
+  }
+
+ private:
+  const LinearRow row_;
+  const double weight_;
+};
+
+double predictRow(const LinearRow& row, const std::vector<double>& coefficients) {
+  double predicted = 0;
+  for (std::size_t i = 0; i < coefficients.size(); ++i) predicted += row.terms[i] * coefficients[i];
+  return predicted;
+}
+
+// A prediction may be 0 (all coefficients at their bound) where the observation is not.
+double weightOf(const LinearRow& row, const std::vector<double>& coefficients) {
+  return 1 / std::max(predictRow(row, coefficients), 0.05 * row.observed);
+}
+
+bool solveRound(std::span<const LinearRow> rows, double scatter, int max_iterations,
+                std::vector<double>* coefficients) {
+  ceres::Problem problem;
+  const std::vector<double> last = *coefficients;
+  const int term_count = static_cast<int>(last.size());
+  for (const LinearRow& row : rows) {
+    problem.AddResidualBlock(new RowResidual(row, term_count, weightOf(row, last)),
+                             new ceres::HuberLoss(kHuberBend * scatter), coefficients->data());
+  }
+  for (int i = 0; i < term_count; ++i) problem.SetParameterLowerBound(coefficients->data(), i, 0);
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.logging_type = ceres::SILENT;
+  options.max_num_iterations = max_iterations;
+  options.function_tolerance = 1e-10;
+  options.parameter_tolerance = 1e-9;
+  options.num_threads = 1;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  return summary.termination_type == ceres::CONVERGENCE && std::isfinite(summary.final_cost);
+}
+
+double robustScatter(std::span<const LinearRow> rows, const std::vector<double>& coefficients) {
+  std::vector<double> magnitudes;
+  for (const LinearRow& row : rows) {
+    magnitudes.push_back(std::abs(row.observed - predictRow(row, coefficients)) * weightOf(row, coefficients));
+  }
+  const std::size_t middle = magnitudes.size() / 2;
+  std::nth_element(magnitudes.begin(), magnitudes.begin() + middle, magnitudes.end());
+  const double n = static_cast<double>(rows.size()), freedom = n - static_cast<double>(coefficients.size());
+  return std::max(kLeastScatter, kMadToSigma * magnitudes[middle] * std::sqrt(n / std::max(freedom, 1.0)));
+}
+
+std::vector<double> standardErrors(std::span<const LinearRow> rows, const RobustLinearFit& fit) {
+  const int term_count = static_cast<int>(fit.coefficients.size());
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(term_count, term_count);
+  for (const LinearRow& row : rows) {
+    const double weight = weightOf(row, fit.coefficients);
+    const double residual = std::abs(row.observed - predictRow(row, fit.coefficients)) * weight;
+    const double bend = kHuberBend * fit.scatter;
+    const double share = residual > bend ? bend / residual : 1;
+    const Eigen::Map<const Eigen::VectorXd> terms(row.terms, term_count);
+    normal += share * weight * weight * terms * terms.transpose();
+  }
+  const Eigen::FullPivLU<Eigen::MatrixXd> decomposition(normal);
+  std::vector<double> errors(term_count, std::numeric_limits<double>::infinity());
+  if (!decomposition.isInvertible()) return errors;
+  const Eigen::MatrixXd inverse = decomposition.inverse();
+  for (int i = 0; i < term_count; ++i) errors[i] = fit.scatter * std::sqrt(std::max(0.0, inverse(i, i)));
+  return errors;
+}
+
+void checkRows(std::span<const LinearRow> rows, int term_count) {
+  REPRISE_CHECK(!rows.empty() && term_count >= 1 && term_count <= 3, rows.size(), term_count);
+  for (const LinearRow& row : rows) REPRISE_CHECK(row.observed > 0, row.observed);
+}
+
+}  // namespace
+
+RobustLinearFit fitRobustLinear(std::span<const LinearRow> rows, int term_count, int max_iterations) {
+  checkRows(rows, term_count);
+  RobustLinearFit fit;
+  fit.coefficients.assign(term_count, 1.0 / term_count);
+  fit.scatter = kFirstScatter;
+  for (int round = 0; round < kRounds; ++round) {
+    const std::vector<double> last = fit.coefficients;
+    fit.converged = solveRound(rows, fit.scatter, max_iterations, &fit.coefficients);
+    if (!fit.converged) return fit;
+    fit.scatter = robustScatter(rows, fit.coefficients);
+    double change = 0;
+    for (int i = 0; i < term_count; ++i) change = std::max(change, std::abs(fit.coefficients[i] - last[i]));
+    if (round > 0 && change < 1e-6) break;
+  }
+  fit.standard_errors = standardErrors(rows, fit);
+  return fit;
+}
+
+double leastSingularValue(std::span<const LinearRow> rows, int term_count) {
+  checkRows(rows, term_count);
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(term_count, term_count);
+  for (const LinearRow& row : rows) {
+    const Eigen::VectorXd terms = Eigen::Map<const Eigen::VectorXd>(row.terms, term_count) / row.observed;
+    normal += terms * terms.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(normal / static_cast<double>(rows.size()));
+  return std::sqrt(std::max(0.0, eigen.eigenvalues()(0)));
+}
+
+}  // namespace reprise

@@ -1,0 +1,99 @@
+#include "profiler/session/job_json.h"
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace reprise {
+
+using nlohmann::json;
+
+NLOHMANN_JSON_SERIALIZE_ENUM(JobKind, {{JobKind::kErrors, "errors"}, {JobKind::kTimes, "times"}, {JobKind::kProbe, "probe"}, {JobKind::kImages, "images"}})
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(JobEntry, package_dir, period_frames)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Job, kind, scenario_path, session, original_dir, entries, metrics, frames, rounds, warmup_frames, width,
+                                   height, device, image_frame, image_dir, fence_timeout_s, run_id)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimeRow, run_id, pair, frame, gpu_ms, wall_ms, cpu_ms)
+
+namespace {
+
+json errorRowJson(const ErrorRow& row) {
+  json errors = json::object();
+  // JSON has no NaN; null stands for it.
+  for (const auto& [name, value] : row.errors) errors[name] = value;
+  return {{"frame", row.frame}, {"covered", row.covered}, {"hits", row.hits}, {"misses", row.misses},
+          {"shaded_hits", row.shaded_hits}, {"shaded_misses", row.shaded_misses}, {"nonfinite", row.nonfinite}, {"errors", errors}};
+}
+
+ErrorRow errorRowFrom(const json& from) {
+  ErrorRow row;
+  row.frame = from.at("frame");
+  row.covered = from.at("covered");
+  row.hits = from.at("hits");
+  row.misses = from.at("misses");
+  row.shaded_hits = from.at("shaded_hits");
+  row.shaded_misses = from.at("shaded_misses");
+  row.nonfinite = from.at("nonfinite");
+  for (const auto& [name, value] : from.at("errors").items())
+    row.errors[name] = value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+  return row;
+}
+
+json probeJson(const ProbeResult& probe) {
+  return {{"entry", probe.entry}, {"payload_min", probe.payload_min}, {"payload_max", probe.payload_max}, {"depth_min", probe.depth_min},
+          {"depth_max", probe.depth_max}, {"nonfinite_payload", probe.nonfinite_payload}, {"nonfinite_color", probe.nonfinite_color},
+          {"covered", probe.covered}};
+}
+
+ProbeResult probeFrom(const json& from) {
+  ProbeResult probe;
+  probe.entry = from.at("entry");
+  const auto low = from.at("payload_min").get<std::array<float, 4>>(), high = from.at("payload_max").get<std::array<float, 4>>();
+  for (std::size_t channel = 0; channel < 4; ++channel) probe.payload_min[channel] = low[channel], probe.payload_max[channel] = high[channel];
+  probe.depth_min = from.at("depth_min");
+  probe.depth_max = from.at("depth_max");
+  probe.nonfinite_payload = from.at("nonfinite_payload");
+  probe.nonfinite_color = from.at("nonfinite_color");
+  probe.covered = from.at("covered");
+  return probe;
+}
+
+}  // namespace
+
+json resultJson(const JobResult& result) {
+  json errors = json::array(), probes = json::array();
+  for (const auto& rows : result.errors) {
+    json list = json::array();
+    for (const ErrorRow& row : rows) list.push_back(errorRowJson(row));
+    errors.push_back(std::move(list));
+  }
+  for (const ProbeResult& probe : result.probes) probes.push_back(probeJson(probe));
+  return {{"device", result.device}, {"driver", result.driver}, {"cpu_device", result.cpu_device}, {"errors", std::move(errors)},
+          {"times", result.times}, {"probes", std::move(probes)}, {"images", result.images}};
+}
+
+JobResult resultFrom(const json& from) {
+  JobResult result;
+  result.device = from.at("device");
+  result.driver = from.at("driver");
+  result.cpu_device = from.at("cpu_device");
+  for (const json& list : from.at("errors")) {
+    std::vector<ErrorRow> rows;
+    for (const json& row : list) rows.push_back(errorRowFrom(row));
+    result.errors.push_back(std::move(rows));
+  }
+  result.times = from.at("times").get<std::vector<std::vector<TimeRow>>>();
+  for (const json& probe : from.at("probes")) result.probes.push_back(probeFrom(probe));
+  result.images = from.at("images").get<std::vector<std::string>>();
+  return result;
+}
+
+std::string jobToJson(const Job& job) { return json(job).dump(); }
+
+Result<Job> jobFromJson(const std::string& text) {
+  try {
+    return json::parse(text).get<Job>();
+  } catch (const std::exception& failure) {
+    return Error{ErrorKind::kInput, "job.syntax", std::string("this is no job: ") + failure.what(), {}};
+  }
+}
+
+}  // namespace reprise

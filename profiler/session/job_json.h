@@ -1,0 +1,13 @@
+// JSON of jobs' answers, for the .cpp files of this folder. The reader throws std::exception on damage.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "profiler/session/job.h"
+
+namespace reprise {
+
+nlohmann::json resultJson(const JobResult& result);
+JobResult resultFrom(const nlohmann::json& from);
+
+}  // namespace reprise

@@ -1,0 +1,99 @@
+// Ranges of payload and depth, from the 32-bit histories that branch variants write.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "profiler/session/stage.h"
+
+namespace reprise {
+namespace {
+
+void widen(const Player& player, const std::vector<float>& cache, const std::vector<float>& depth_image, ProbeResult& probe) {
+  const Recipe& recipe = player.recipe();
+  const int channels = recipe.payload.front().channels;
+  const FrameUniforms& constants = recipe.constants;
+  for (std::size_t at = 0; at < cache.size(); at += 4) {
+    const float stored = depth_image.empty() ? cache[at + 3] : depth_image[at];
+    if (!(stored > 0)) continue;
+    ++probe.covered;
+    const float depth = (stored - constants.depth_range[1]) / constants.depth_range[0];
+    probe.depth_min = std::min(probe.depth_min, depth);
+    probe.depth_max = std::max(probe.depth_max, depth);
+    for (int channel = 0; channel < channels; ++channel) {
+      const float value = cache[at + static_cast<std::size_t>(channel)];
+      probe.payload_min[channel] = std::min(probe.payload_min[channel], value);
+      probe.payload_max[channel] = std::max(probe.payload_max[channel], value);
+    }
+  }
+}
+
+Result<std::vector<float>> readResource(Stage& stage, Readback& readback, const Player& player, const char* name) {
+  const auto image = player.resource(name);
+  if (!image) return std::vector<float>{};
+  REPRISE_ASSIGN(const auto bytes, readback.read(*stage.commands, {image->image, image->format, image->extent, image->layout}));
+  return toFloats(bytes, image->format);
+}
+
+ProbeResult emptyProbe(std::size_t entry) {
+  ProbeResult probe;
+  probe.entry = static_cast<int>(entry);
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  for (int channel = 0; channel < 4; ++channel) probe.payload_min[channel] = kInfinity, probe.payload_max[channel] = -kInfinity;
+  probe.depth_min = kInfinity;
+  probe.depth_max = -kInfinity;
+  return probe;
+}
+
+// Channels that the payload does not have, and probes that saw nothing, give 0 instead of infinities.
+void settle(ProbeResult& probe) {
+  for (int channel = 0; channel < 4; ++channel)
+    if (!(probe.payload_max[channel] >= probe.payload_min[channel])) probe.payload_min[channel] = probe.payload_max[channel] = 0;
+  if (!(probe.depth_max >= probe.depth_min)) probe.depth_min = probe.depth_max = 0;
+}
+
+std::uint64_t countNonfinite(const std::vector<float>& rgba) {
+  std::uint64_t count = 0;
+  for (std::size_t at = 0; at < rgba.size(); at += 4)
+    count += !(std::isfinite(rgba[at]) && std::isfinite(rgba[at + 1]) && std::isfinite(rgba[at + 2]));
+  return count;
+}
+
+}  // namespace
+
+Result<JobResult> runProbe(const Job& job, const JobListener& progress) {
+  REPRISE_ASSIGN(const std::unique_ptr<Stage> stage, setStage(job));
+  REPRISE_ASSIGN(Player original, createOriginalPlayer(*stage));
+  REPRISE_ASSIGN(std::deque<Player> players, createPlayers(*stage));
+  Readback readback(*stage->context);
+  JobResult result;
+  for (std::size_t entry = 0; entry < players.size(); ++entry) result.probes.push_back(emptyProbe(entry));
+  const int session_frames = stage->session->frames > 0 ? stage->session->frames : stage->scenario.frames;
+  const int frames = std::min(frameCount(job, *stage), session_frames);
+  for (int step = 0; step < frames; ++step) {
+    // Spread over the whole session: the range matters, not the order.
+    const int frame = frames > 1 ? step * (session_frames - 1) / (frames - 1) : 0;
+    stage->renderer->setFrame(*stage->session, evaluateFrame(stage->scenario, *stage->session, frame));
+    const auto render = [&](Player& player) {
+      player.invalidate();
+      return stage->commands->run([&](VkCommandBuffer buffer) { return stage->renderer->record(buffer, player, stage->targets, 1, {}); }, job.fence_timeout_s);
+    };
+    REPRISE_TRY(render(original));
+    const VkFormat format = stage->renderer->colorFormat(0);
+    REPRISE_ASSIGN(const auto texels, readback.read(*stage->commands, {stage->targets.colors[0].image.get(), format, stage->targets.extent,
+                                                                       VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL}));
+    const std::uint64_t nonfinite = countNonfinite(toFloats(texels, format));
+    for (std::size_t entry = 0; entry < players.size(); ++entry) {
+      REPRISE_TRY(render(players[entry]));
+      REPRISE_ASSIGN(const std::vector<float> cache, readResource(*stage, readback, players[entry], "cache"));
+      REPRISE_ASSIGN(const std::vector<float> depth, readResource(*stage, readback, players[entry], "cache_depth"));
+      widen(players[entry], cache, depth, result.probes[entry]);
+      result.probes[entry].nonfinite_color += nonfinite;
+    }
+    if (progress) progress({step + 1, frames});
+  }
+  for (ProbeResult& probe : result.probes) settle(probe);
+  return result;
+}
+
+}  // namespace reprise

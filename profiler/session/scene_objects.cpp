@@ -1,0 +1,206 @@
+#include "profiler/session/scene_objects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "profiler/scene/mesh.h"
+#include "profiler/scene/texture.h"
+#include "runtime/vulkan/upload.h"
+
+namespace reprise {
+namespace {
+
+constexpr VkShaderStageFlags kBothStages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
+constexpr VkDeviceSize kBlockAlignment = 256;
+
+Result<Buffer> bufferWith(const DeviceView& device, const void* bytes, std::size_t size, VkBufferUsageFlags usage) {
+  REPRISE_ASSIGN(Buffer buffer, createBuffer(device, std::max<std::size_t>(size, 4), usage));
+  std::memcpy(buffer.mapped.data(), bytes, size);
+  return buffer;
+}
+
+VkDescriptorType descriptorType(DescriptorKind kind) {
+  switch (kind) {
+    case DescriptorKind::kUniformBlock: return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    case DescriptorKind::kCombinedImageSampler: return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    case DescriptorKind::kSampledImage: return VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE;
+    case DescriptorKind::kSampler: return VK_DESCRIPTOR_TYPE_SAMPLER;
+    case DescriptorKind::kStorageBlock: return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    case DescriptorKind::kStorageImage: return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+  }
+  return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+}
+
+class SceneBuilder {
+ public:
+  SceneBuilder(const Context& context, Commands& commands, const Scenario& scenario, const ShaderInterface& interface)
+      : context_(context), device_(context.view()), commands_(commands), scenario_(scenario), interface_(interface) {}
+
+  Result<SceneObjects> build() {
+    REPRISE_TRY(supported());
+    REPRISE_TRY(uploadMeshes());
+    REPRISE_TRY(createLayouts());
+    REPRISE_TRY(createBlocks());
+    REPRISE_TRY(uploadTextures());
+    REPRISE_TRY(createSets());
+    return std::move(scene_);
+  }
+
+ private:
+  Result<void> supported() const {
+    for (const Descriptor& descriptor : interface_.descriptors)
+      if (descriptor.count != 1 || (descriptor.kind != DescriptorKind::kUniformBlock && descriptor.kind != DescriptorKind::kCombinedImageSampler) ||
+          (descriptor.kind == DescriptorKind::kCombinedImageSampler && descriptor.dimension != ImageDimension::k2D))
+        return Error{ErrorKind::kInput, "scenario.unsupported",
+                     "the profiler cannot fill '" + descriptor.name + "': version 1 knows uniform blocks and 2D combined image samplers", {}};
+    return {};
+  }
+
+  Result<void> uploadMeshes() {
+    for (const Object& object : scenario_.objects) {
+      const Mesh mesh = buildMesh(object.mesh);
+      ObjectBuffers buffers;
+      REPRISE_ASSIGN(buffers.vertices, bufferWith(device_, mesh.vertices.data(), mesh.vertices.size() * sizeof(Vertex), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT));
+      REPRISE_ASSIGN(buffers.indices, bufferWith(device_, mesh.indices.data(), mesh.indices.size() * 4, VK_BUFFER_USAGE_INDEX_BUFFER_BIT));
+      buffers.index_count = static_cast<std::uint32_t>(mesh.indices.size());
+      scene_.objects.push_back(std::move(buffers));
+    }
+    return {};
+  }
+
+  Result<void> createLayouts() {
+    std::uint32_t sets = 0;
+    for (const Descriptor& descriptor : interface_.descriptors) sets = std::max(sets, descriptor.set + 1);
+    for (std::uint32_t set = 0; set < sets; ++set) {
+      std::vector<VkDescriptorSetLayoutBinding> bindings;
+      for (const Descriptor& descriptor : interface_.descriptors)
+        if (descriptor.set == set) bindings.push_back({descriptor.binding, descriptorType(descriptor.kind), 1, kBothStages, nullptr});
+      VkDescriptorSetLayoutCreateInfo create{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
+      create.bindingCount = static_cast<std::uint32_t>(bindings.size());
+      create.pBindings = bindings.data();
+      VkDescriptorSetLayout layout = VK_NULL_HANDLE;
+      REPRISE_VK(device_.fn.vkCreateDescriptorSetLayout(device_.device, &create, nullptr, &layout));
+      scene_.set_layouts.emplace_back(device_.device, layout, device_.fn.vkDestroyDescriptorSetLayout);
+    }
+    return {};
+  }
+
+  Result<void> createBlocks() {
+    for (const Descriptor& descriptor : interface_.descriptors) {
+      if (descriptor.kind != DescriptorKind::kUniformBlock) continue;
+      BlockSlots block;
+      block.descriptor = &descriptor;
+      block.stride = (descriptor.size_bytes + 16 + kBlockAlignment - 1) / kBlockAlignment * kBlockAlignment;
+      REPRISE_ASSIGN(block.buffer, createBuffer(device_, block.stride * scene_.objects.size(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT));
+      scene_.blocks.push_back(std::move(block));
+    }
+    return {};
+  }
+
+  Result<void> uploadTextures() {
+    for (const TextureSpec& spec : scenario_.textures) {
+      REPRISE_ASSIGN(const TextureImage image, buildTexture(spec));
+      UploadDescription upload;
+      upload.extent = {static_cast<std::uint32_t>(image.width), static_cast<std::uint32_t>(image.height)};
+      upload.mipmaps = spec.mipmaps;
+      if (image.high_dynamic_range) {
+        upload.format = VK_FORMAT_R32G32B32A32_SFLOAT;
+        REPRISE_ASSIGN(Image uploaded, uploadTexture(context_, commands_, upload, std::as_bytes(std::span(image.rgba))));
+        scene_.textures.push_back(std::move(uploaded));
+      } else {
+        upload.format = spec.srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM;
+        std::vector<std::uint8_t> bytes(image.rgba.size());
+        for (std::size_t i = 0; i < bytes.size(); ++i)
+          bytes[i] = static_cast<std::uint8_t>(std::lround(std::clamp(image.rgba[i], 0.0f, 1.0f) * 255));
+        REPRISE_ASSIGN(Image uploaded, uploadTexture(context_, commands_, upload, std::as_bytes(std::span(bytes))));
+        scene_.textures.push_back(std::move(uploaded));
+      }
+      REPRISE_TRY(createSampler(spec));
+    }
+    return {};
+  }
+
+  Result<void> createSampler(const TextureSpec& spec) {
+    VkSamplerCreateInfo create{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
+    create.magFilter = create.minFilter = spec.linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
+    create.mipmapMode = spec.linear ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST;
+    create.addressModeU = create.addressModeV = create.addressModeW =
+        spec.repeat ? VK_SAMPLER_ADDRESS_MODE_REPEAT : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    create.maxLod = VK_LOD_CLAMP_NONE;
+    VkSampler sampler = VK_NULL_HANDLE;
+    REPRISE_VK(device_.fn.vkCreateSampler(device_.device, &create, nullptr, &sampler));
+    scene_.samplers.emplace_back(device_.device, sampler, device_.fn.vkDestroySampler);
+    return {};
+  }
+
+  Result<void> createSets() {
+    const auto count = static_cast<std::uint32_t>(scene_.set_layouts.size() * scene_.objects.size());
+    scene_.sets.resize(scene_.objects.size());
+    if (count == 0) return {};
+    const auto per_kind = static_cast<std::uint32_t>(interface_.descriptors.size() * scene_.objects.size());
+    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, std::max(per_kind, 1u)},
+                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, std::max(per_kind, 1u)}};
+    VkDescriptorPoolCreateInfo create{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+    create.maxSets = count;
+    create.poolSizeCount = 2;
+    create.pPoolSizes = sizes;
+    VkDescriptorPool pool = VK_NULL_HANDLE;
+    REPRISE_VK(device_.fn.vkCreateDescriptorPool(device_.device, &create, nullptr, &pool));
+    scene_.pool = {device_.device, pool, device_.fn.vkDestroyDescriptorPool};
+    std::vector<VkDescriptorSetLayout> layouts;
+    for (const auto& layout : scene_.set_layouts) layouts.push_back(layout.get());
+    for (std::size_t object = 0; object < scene_.objects.size(); ++object) {
+      scene_.sets[object].resize(layouts.size());
+      VkDescriptorSetAllocateInfo allocate{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
+      allocate.descriptorPool = pool;
+      allocate.descriptorSetCount = static_cast<std::uint32_t>(layouts.size());
+      allocate.pSetLayouts = layouts.data();
+      REPRISE_VK(device_.fn.vkAllocateDescriptorSets(device_.device, &allocate, scene_.sets[object].data()));
+      writeSets(object);
+    }
+    return {};
+  }
+
+  void writeSets(std::size_t object) {
+    std::size_t block = 0;
+    for (const Descriptor& descriptor : interface_.descriptors) {
+      VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+      write.dstSet = scene_.sets[object][descriptor.set];
+      write.dstBinding = descriptor.binding;
+      write.descriptorCount = 1;
+      write.descriptorType = descriptorType(descriptor.kind);
+      VkDescriptorBufferInfo buffer{};
+      VkDescriptorImageInfo image{};
+      if (descriptor.kind == DescriptorKind::kUniformBlock) {
+        const BlockSlots& slots = scene_.blocks[block++];
+        buffer = {slots.buffer.buffer.get(), slots.stride * object, slots.stride};
+        write.pBufferInfo = &buffer;
+      } else {
+        const auto texture = std::find_if(scenario_.textures.begin(), scenario_.textures.end(),
+                                          [&](const TextureSpec& spec) { return spec.name == descriptor.name; });
+        REPRISE_CHECK(texture != scenario_.textures.end(), descriptor.name);
+        const auto index = static_cast<std::size_t>(texture - scenario_.textures.begin());
+        image = {scene_.samplers[index].get(), scene_.textures[index].view.get(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+        write.pImageInfo = &image;
+      }
+      device_.fn.vkUpdateDescriptorSets(device_.device, 1, &write, 0, nullptr);
+    }
+  }
+
+  const Context& context_;
+  const DeviceView& device_;
+  Commands& commands_;
+  const Scenario& scenario_;
+  const ShaderInterface& interface_;
+  SceneObjects scene_;
+};
+
+}  // namespace
+
+Result<SceneObjects> createSceneObjects(const Context& context, Commands& commands, const Scenario& scenario,
+                                        const ShaderInterface& interface) {
+  return SceneBuilder(context, commands, scenario, interface).build();
+}
+
+}  // namespace reprise

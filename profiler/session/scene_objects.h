@@ -1,0 +1,43 @@
+// A scenario's geometry, textures and shader inputs on a device: what an application would own.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <vector>
+
+#include "profiler/scenario/scenario.h"
+#include "profiler/scene/frame_state.h"
+#include "runtime/package/interface.h"
+#include "runtime/vulkan/buffer.h"
+#include "runtime/vulkan/commands.h"
+#include "runtime/vulkan/image.h"
+
+namespace reprise {
+
+struct ObjectBuffers {
+  Buffer vertices, indices;
+  std::uint32_t index_count = 0;
+};
+
+// One uniform block of the interface, with a slot for each object (all alike where the block is per frame).
+struct BlockSlots {
+  const Descriptor* descriptor = nullptr;
+  Buffer buffer;
+  VkDeviceSize stride = 0;
+};
+
+struct SceneObjects {
+  std::vector<ObjectBuffers> objects;
+  std::deque<Image> textures;
+  std::vector<Handle<VkSampler>> samplers;
+  std::vector<Handle<VkDescriptorSetLayout>> set_layouts;  // sets 0.. of the interface; empty ones fill gaps
+  Handle<VkDescriptorPool> pool;
+  std::vector<std::vector<VkDescriptorSet>> sets;          // by object, then set
+  std::vector<BlockSlots> blocks;
+};
+
+// Errors: texture.* (kInput), scenario.unsupported (kInput; a descriptor that the profiler cannot fill), device.*.
+Result<SceneObjects> createSceneObjects(const Context& context, Commands& commands, const Scenario& scenario,
+                                        const ShaderInterface& interface);
+
+}  // namespace reprise

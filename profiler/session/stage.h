@@ -1,0 +1,45 @@
+// What every kind of job needs: device, scenario, session, scene on the device, packages.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <vector>
+
+#include "profiler/session/job.h"
+#include "profiler/session/scene_renderer.h"
+#include "runtime/package/package.h"
+#include "runtime/vulkan/commands.h"
+#include "runtime/vulkan/readback.h"
+
+namespace reprise {
+
+using JobListener = std::function<void(const JobProgress&)>;
+
+// Members in order of construction: later ones refer to earlier ones, so a Stage stays where it is made.
+struct Stage {
+  Scenario scenario;
+  const SessionSpec* session = nullptr;
+  Package original;
+  std::deque<Package> packages;     // by entry
+  std::unique_ptr<Context> context;
+  std::unique_ptr<Commands> commands;
+  std::unique_ptr<SceneRenderer> renderer;
+  RenderTargets targets;
+};
+
+// Errors: those of readScenario, readPackage, Context and SceneRenderer; session.unknown (kInput).
+Result<std::unique_ptr<Stage>> setStage(const Job& job);
+
+// Players of all entries; an entry whose requirements are missing here is an error (kMeasurement): player.requirement.
+Result<std::deque<Player>> createPlayers(const Stage& stage);
+Result<Player> createOriginalPlayer(const Stage& stage);
+
+// The number of frames that the job asks for.
+int frameCount(const Job& job, const Stage& stage);
+
+Result<JobResult> runErrors(const Job& job, const JobListener& progress);
+Result<JobResult> runTimes(const Job& job, const JobListener& progress);
+Result<JobResult> runProbe(const Job& job, const JobListener& progress);
+Result<JobResult> runImages(const Job& job, const JobListener& progress);
+
+}  // namespace reprise

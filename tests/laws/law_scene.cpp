@@ -1,0 +1,90 @@
+#include "tests/laws/law_scene.h"
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+
+namespace reprise {
+
+std::unique_ptr<LawScene> LawScene::open(const std::string& scenario_file, bool validation) {
+  auto scene = std::make_unique<LawScene>();
+  scene->subject_ = readSubject(scenario_file).value();
+  ContextOptions options;
+  options.validation = validation;
+  scene->context_ = std::make_unique<Context>(Context::create(options).value());
+  scene->commands_ = std::make_unique<Commands>(Commands::create(*scene->context_).value());
+  scene->renderer_ = std::make_unique<SceneRenderer>(
+      SceneRenderer::create(*scene->context_, *scene->commands_, scene->subject_.scenario, scene->subject_.program.interface).value());
+  scene->readback_ = std::make_unique<Readback>(*scene->context_);
+  scene->targets_ = scene->renderer_->createTargets(*scene->commands_).value();
+  return scene;
+}
+
+const Candidate& LawScene::candidate() const {
+  for (const Candidate& candidate : subject_.candidates)
+    if (candidate.kept() && !candidate.conditional && candidate.share < 0.9) return candidate;
+  REPRISE_CHECK(!subject_.candidates.empty(), subject_.scenario.path);
+  return subject_.candidates.front();
+}
+
+ValueRanges LawScene::ranges() const {
+  ValueRanges ranges;
+  ranges.depth_near = subject_.orthographic ? 0 : 0.5f;
+  ranges.depth_far = subject_.orthographic ? 1 : 20.0f;
+  for (std::size_t channel = 0; channel < 4; ++channel) ranges.payload_min[channel] = -0.5f, ranges.payload_max[channel] = 2.0f;
+  return ranges;
+}
+
+std::unique_ptr<Player> LawScene::player(const VariantOptions& options, const PlayerOptions& player_options) {
+  const Package package = buildPackage(subject_.program, candidate(), options, subject_.limits).value();
+  return std::make_unique<Player>(renderer_->createPlayer(package, player_options).value());
+}
+
+PlayedFrame LawScene::play(Player& player, int frame, std::uint32_t period, bool frozen) {
+  const SessionSpec& session = subject_.scenario.sessions.front();
+  renderer_->setFrame(session, evaluateFrame(subject_.scenario, session, frozen ? 0 : frame));
+  REPRISE_CHECK(commands_->run([&](VkCommandBuffer buffer) { return renderer_->record(buffer, player, targets_, period, {}); }).ok(), frame);
+  PlayedFrame played;
+  for (std::size_t i = 0; i < targets_.colors.size(); ++i) {
+    const VkFormat format = renderer_->colorFormat(i);
+    const auto bytes = readback_->read(*commands_, {targets_.colors[i].image.get(), format, targets_.extent, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL}).value();
+    played.raw.emplace_back(bytes.begin(), bytes.end());
+    played.colors.push_back(toFloats(bytes, format));
+  }
+  if (renderer_->depthFormat() == VK_FORMAT_D32_SFLOAT) {
+    const auto bytes = readback_->read(*commands_, {targets_.depth.image.get(), VK_FORMAT_D32_SFLOAT, targets_.extent,
+                                                    VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL}).value();
+    played.depth.resize(bytes.size() / 4);
+    std::memcpy(played.depth.data(), bytes.data(), bytes.size());
+  }
+  if (const auto kind = player.resource("kind")) {
+    const auto bytes = readback_->read(*commands_, {kind->image, kind->format, kind->extent, kind->layout}).value();
+    played.kind.resize(bytes.size());
+    std::memcpy(played.kind.data(), bytes.data(), bytes.size());
+    const auto counts = player.resource("counts");
+    const auto fragments = toFloats(readback_->read(*commands_, {counts->image, counts->format, counts->extent, counts->layout}).value(), counts->format);
+    for (std::size_t at = 0; at < fragments.size(); at += 4) played.shaded_hits += fragments[at], played.shaded_misses += fragments[at + 1];
+  }
+  return played;
+}
+
+std::vector<std::string> lawScenarios() {
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(std::string(REPRISE_SOURCE_DIR) + "/shaders/laws"))
+    if (entry.path().extension() == ".toml") files.push_back(entry.path().string());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+VariantOptions lawOptions(const LawScene& scene, const std::string& strategy, PatternKind pattern, Filter filter, Encoding encoding) {
+  VariantOptions options = baseOptions(scene.subject(), scene.ranges());
+  options.strategy = strategy;
+  options.pattern = pattern;
+  options.block_pixels = 8;
+  options.filter = filter;
+  options.encoding = encoding;
+  options.instrumented = true;
+  return options;
+}
+
+}  // namespace reprise

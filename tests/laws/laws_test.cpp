@@ -1,0 +1,217 @@
+// The laws that every strategy, pattern, filter and encoding is held to, on every scenario of shaders/laws. A new entry of the
+// registry is tested here without further work.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+
+#include "tests/laws/law_scene.h"
+
+namespace reprise {
+namespace {
+
+constexpr PatternKind kPatterns[] = {PatternKind::kTiled, PatternKind::kRandom, PatternKind::kInterleaved};
+constexpr Filter kFilters[] = {Filter::kNearest, Filter::kBilinear};
+constexpr Encoding kEncodings[] = {Encoding::kRgba8, Encoding::kRgba16f, Encoding::kRgba32f};
+constexpr std::uint32_t kPeriod = 4;
+constexpr int kFrames = 6;
+
+// What an encoding may cost in the final colour: half a step of the format over the range of the payload (2.6 with margins for
+// rgba8; values below 2 for rgba16f), times the shaders' gain from payload to colour, plus the step of an 8-bit target.
+double toleranceOf(Encoding encoding) {
+  switch (encoding) {
+    case Encoding::kRgba8: return 2.6 / 255 * 4 + 1.0 / 255;
+    case Encoding::kRgba16f: return 2.0 / 1024 * 4 + 1.0 / 255;
+    case Encoding::kRgba32f: return 0;
+  }
+  return 0;
+}
+
+double largestDifference(const PlayedFrame& a, const PlayedFrame& b, std::size_t pixel) {
+  double largest = 0;
+  for (std::size_t output = 0; output < a.colors.size(); ++output)
+    for (std::size_t channel = 0; channel < 4; ++channel)
+      largest = std::max(largest, static_cast<double>(std::abs(a.colors[output][pixel * 4 + channel] - b.colors[output][pixel * 4 + channel])));
+  return largest;
+}
+
+bool sameBits(const PlayedFrame& a, const PlayedFrame& b, std::size_t pixel) {
+  for (std::size_t output = 0; output < a.raw.size(); ++output) {
+    const std::size_t bytes = a.raw[output].size() / (a.colors[output].size() / 4);
+    if (std::memcmp(&a.raw[output][pixel * bytes], &b.raw[output][pixel * bytes], bytes) != 0) return false;
+  }
+  return true;
+}
+
+class Laws : public testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override { scene_ = LawScene::open(GetParam()); }
+
+  bool allowed(const Strategy& strategy) const {
+    const StateLimits& limits = scene_->subject().limits;
+    return strategy.selectable && (!strategy.rejects_by_depth || limits.strict_depth_with_writes) && (!strategy.needs_stencil || limits.stencil);
+  }
+
+  std::size_t pixels() const { return static_cast<std::size_t>(scene_->subject().scenario.width) * scene_->subject().scenario.height; }
+
+  std::vector<PlayedFrame> originals(bool frozen) {
+    VariantOptions options = baseOptions(scene_->subject(), scene_->ranges());
+    options.strategy = "original";
+    const auto player = scene_->player(options);
+    std::vector<PlayedFrame> frames;
+    for (int frame = 0; frame < kFrames; ++frame) frames.push_back(scene_->play(*player, frame, 1, frozen));
+    return frames;
+  }
+
+  // Law 1 where the tail reads the payload back: within the encoding's tolerance, exact at rgba32f.
+  void expectEqual(const PlayedFrame& expected, const PlayedFrame& played, std::size_t pixel, double tolerance) {
+    if (tolerance == 0) {
+      ASSERT_TRUE(sameBits(expected, played, pixel)) << "pixel " << pixel << " differs by " << largestDifference(expected, played, pixel);
+    } else {
+      ASSERT_LE(largestDifference(expected, played, pixel), tolerance) << "pixel " << pixel;
+    }
+  }
+
+  void checkAlwaysRefresh(const VariantOptions& options, bool raw_tail, const std::vector<PlayedFrame>& originals) {
+    const auto player = scene_->player(options);
+    for (int frame = 0; frame < 3; ++frame) {
+      const PlayedFrame played = scene_->play(*player, frame, 1);
+      for (std::size_t pixel = 0; pixel < pixels(); ++pixel) {
+        expectEqual(originals[static_cast<std::size_t>(frame)], played, pixel, raw_tail ? toleranceOf(options.encoding) : 0);
+        if (HasFatalFailure()) return;
+        ASSERT_NE(played.kind[pixel], 1) << "a hit at period 1, pixel " << pixel;
+      }
+    }
+  }
+
+  std::vector<PlayedFrame> checkMovingWorld(const VariantOptions& options, bool raw_tail, const std::vector<PlayedFrame>& originals) {
+    const auto player = scene_->player(options);
+    std::vector<PlayedFrame> frames;
+    std::size_t hits = 0;
+    for (int frame = 0; frame < kFrames; ++frame) {
+      frames.push_back(scene_->play(*player, frame, kPeriod));
+      const PlayedFrame& played = frames.back();
+      const PlayedFrame& original = originals[static_cast<std::size_t>(frame)];
+      const float clear_depth = scene_->subject().scenario.state.compare == DepthCompare::kGreater ? 0.0f : 1.0f;
+      std::size_t misses = 0, covered = 0;
+      for (std::size_t pixel = 0; pixel < pixels(); ++pixel) {
+        covered += played.kind[pixel] != 0;
+        hits += played.kind[pixel] == 1;
+        misses += played.kind[pixel] == 2;
+        // Books balance: exactly the pixels that the original covers.
+        if (!original.depth.empty()) {
+          EXPECT_EQ(played.kind[pixel] != 0, original.depth[pixel] != clear_depth) << "frame " << frame << " pixel " << pixel;
+          EXPECT_EQ(played.depth[pixel], original.depth[pixel]) << "depth, frame " << frame << " pixel " << pixel;
+        }
+        // Misses are exact.
+        if (played.kind[pixel] == 2) expectEqual(original, played, pixel, raw_tail ? toleranceOf(options.encoding) : 0);
+        if (HasFatalFailure() || HasNonfatalFailure()) return frames;
+      }
+      if (frame == 0) EXPECT_EQ(misses, covered) << "frame 0 is all misses";
+      EXPECT_GE(played.shaded_hits + played.shaded_misses, static_cast<double>(covered));
+    }
+    EXPECT_GT(hits, 0u) << "nothing ever hit, so the laws hold for nothing";
+    return frames;
+  }
+
+  void checkFrozenWorld(const VariantOptions& options, const std::vector<PlayedFrame>& frozen) {
+    const auto player = scene_->player(options);
+    const Scenario& scenario = scene_->subject().scenario;
+    for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
+      const PlayedFrame played = scene_->play(*player, 0, kPeriod, true);
+      for (std::uint32_t y = 0; y < scenario.height; ++y)
+        for (std::uint32_t x = 0; x < scenario.width; ++x) {
+          const std::size_t pixel = static_cast<std::size_t>(y) * scenario.width + x;
+          if (played.kind[pixel] == 0) continue;
+          const bool due = refreshGroup(options.pattern, x, y, kPeriod, options.block_pixels, scenario.width, scenario.height) == frame % kPeriod;
+          ASSERT_EQ(played.kind[pixel], frame == 0 || due ? 2 : 1) << "frame " << frame << " pixel " << x << "," << y;
+          expectEqual(frozen[frame], played, pixel, toleranceOf(options.encoding));
+          if (HasFatalFailure()) return;
+        }
+    }
+  }
+
+  std::unique_ptr<LawScene> scene_;
+};
+
+TEST_P(Laws, HoldForEveryStrategyPatternFilterAndEncoding) {
+  const std::vector<PlayedFrame> moving = originals(false), frozen = originals(true);
+  for (const PatternKind pattern : kPatterns)
+    for (const Filter filter : kFilters)
+      for (const Encoding encoding : kEncodings) {
+        std::vector<PlayedFrame> first;
+        for (const Strategy& strategy : strategies()) {
+          if (!allowed(strategy)) continue;
+          SCOPED_TRACE(strategy.name + " " + nameOf(pattern) + " " + nameOf(filter) + " " + nameOf(encoding) + " " + scene_->candidate().id);
+          const VariantOptions options = lawOptions(*scene_, strategy.name, pattern, filter, encoding);
+          checkAlwaysRefresh(options, strategy.keeps_raw_payload, moving);
+          if (HasFatalFailure()) return;
+          const std::vector<PlayedFrame> frames = checkMovingWorld(options, strategy.keeps_raw_payload, moving);
+          if (HasFatalFailure() || HasNonfatalFailure()) return;
+          checkFrozenWorld(options, frozen);
+          if (HasFatalFailure()) return;
+          // Strategies agree: the same image and the same hits.
+          if (first.empty()) {
+            first = frames;
+            continue;
+          }
+          for (std::size_t frame = 0; frame < frames.size(); ++frame) {
+            ASSERT_EQ(frames[frame].kind, first[frame].kind) << "hits differ in frame " << frame;
+            for (std::size_t pixel = 0; pixel < pixels(); ++pixel)
+              expectEqual(first[frame], frames[frame], pixel, strategy.keeps_raw_payload ? toleranceOf(encoding) : 0);
+            if (HasFatalFailure()) return;
+          }
+        }
+      }
+}
+
+TEST_P(Laws, InvalidateMakesTheNextFrameAllMisses) {
+  const auto player = scene_->player(lawOptions(*scene_, "branch", PatternKind::kInterleaved, Filter::kBilinear, Encoding::kRgba16f));
+  for (int frame = 0; frame < 3; ++frame) scene_->play(*player, frame, kPeriod);
+  player->invalidate();
+  const PlayedFrame cut = scene_->play(*player, 3, kPeriod);
+  EXPECT_EQ(std::count(cut.kind.begin(), cut.kind.end(), 1), 0);
+  const PlayedFrame after = scene_->play(*player, 4, kPeriod);
+  EXPECT_GT(std::count(after.kind.begin(), after.kind.end(), 1), 0);
+}
+
+TEST_P(Laws, ErrorsHitsAndMissesRepeatFromRunToRun) {
+  const VariantOptions options = lawOptions(*scene_, "branch", PatternKind::kRandom, Filter::kBilinear, Encoding::kRgba8);
+  const auto one = scene_->player(options), two = scene_->player(options);
+  for (int frame = 0; frame < kFrames; ++frame) {
+    const PlayedFrame a = scene_->play(*one, frame, kPeriod), b = scene_->play(*two, frame, kPeriod);
+    ASSERT_EQ(a.raw, b.raw);
+    ASSERT_EQ(a.kind, b.kind);
+    ASSERT_EQ(a.shaded_hits, b.shaded_hits);
+  }
+}
+
+std::string scenarioTestName(const testing::TestParamInfo<std::string>& parameter) {
+  const std::size_t slash = parameter.param.find_last_of('/');
+  return parameter.param.substr(slash + 1, parameter.param.size() - slash - 6);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shaders, Laws, testing::ValuesIn(lawScenarios()), scenarioTestName);
+
+TEST(Validation, IsSilentForEveryStrategyAndNoticesAMissingBarrier) {
+  const auto scene = LawScene::open(std::string(REPRISE_SOURCE_DIR) + "/shaders/laws/straight_line/straight_line.toml", true);
+  for (const Strategy& strategy : strategies()) {
+    if (!strategy.selectable || (strategy.needs_stencil && !scene->subject().limits.stencil)) continue;
+    const auto player = scene->player(lawOptions(*scene, strategy.name, PatternKind::kTiled, Filter::kBilinear, Encoding::kRgba8));
+    for (int frame = 0; frame < 3; ++frame) scene->play(*player, frame, 2);
+  }
+  std::string said;
+  for (const std::string& message : scene->context().validation_messages()) said += message + "\n";
+  ASSERT_EQ(said, "");
+  PlayerOptions careless;
+  careless.omit_barrier_for_test = true;
+  const auto player = scene->player(lawOptions(*scene, "three_pass", PatternKind::kTiled, Filter::kBilinear, Encoding::kRgba16f), careless);
+  scene->play(*player, 0, 2);
+  EXPECT_FALSE(scene->context().validation_messages().empty()) << "synchronization validation would not notice a missing barrier";
+}
+
+}  // namespace
+}  // namespace reprise
