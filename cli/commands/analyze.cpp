@@ -86,7 +86,11 @@ Result<void> analyzeShader(const AnalyzeArguments& arguments, std::ostream& out)
   CompileOptions options = arguments.compile;
   options.stage = ShaderStage::kFragment;
   REPRISE_ASSIGN(const CompiledShader compiled, compile(arguments.shader, options));
-  if (!arguments.depfile.empty()) REPRISE_TRY(writeDepfile(arguments.depfile, arguments.shader, compiled));
+  if (!arguments.depfile.empty()) {
+    std::vector<std::string> dependencies{arguments.shader};
+    dependencies.insert(dependencies.end(), compiled.dependencies.begin(), compiled.dependencies.end());
+    REPRISE_TRY(writeDepfile(arguments.depfile, arguments.shader, dependencies));
+  }
   REPRISE_ASSIGN(const Module module, readModule(compiled.words));
   // GLSL always ends up as "main"; a SPIR-V module with several entry points is told apart by name.
   REPRISE_ASSIGN(const PreparedShader shader,

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "fitting/solve/quiet_solver.h"
+
 namespace reprise {
 
 namespace {
@@ -54,6 +56,7 @@ FamilyFit fitFrom(const ErrorModel& model, std::span<const ErrorPoint> points, s
   options.parameter_tolerance = 1e-10;
   options.num_threads = 1;
   ceres::Solver::Summary summary;
+  silenceSolverLog();
   ceres::Solve(options, &problem, &summary);
   fit.chi_squared = 2 * summary.final_cost;
   fit.converged = summary.termination_type == ceres::CONVERGENCE && std::isfinite(fit.chi_squared);

@@ -12,9 +12,7 @@ namespace reprise {
 
 namespace {
 
-constexpr std::size_t kLeastPointsForAicc = 5;
-constexpr double kSmallestMisfit = 0.02;  // in units of sigma
-constexpr double kNormal975 = 1.959964;
+constexpr int kAssumedPoints = 4;  // that scatter by exactly sigma
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<ErrorPoint> usablePoints(std::span<const ErrorPoint> points, double assumed_scatter) {
@@ -35,11 +33,13 @@ std::vector<ErrorPoint> usablePoints(std::span<const ErrorPoint> points, double 
 }
 
 double informationCriterion(const FamilyFit& fit, std::size_t point_count) {
-  const double n = static_cast<double>(point_count), p = static_cast<double>(fit.model->parameters.size());
-  if (point_count < kLeastPointsForAicc) return fit.chi_squared + 2 * p;
-  const double k = p + 1;
-  const double misfit = std::max(fit.chi_squared / n, kSmallestMisfit * kSmallestMisfit);
-  return n * std::log(misfit) + 2 * k + 2 * k * (k + 1) / (n - k - 1);
+  const double n = static_cast<double>(point_count) + kAssumedPoints;
+  const double k = static_cast<double>(fit.model->parameters.size()) + 1;
+  return n * std::log((fit.chi_squared + kAssumedPoints) / n) + 2 * k + 2 * k * (k + 1) / (n - k - 1);
+}
+
+int degreesOfFreedom(std::size_t point_count, std::size_t parameter_count) {
+  return kAssumedPoints + (point_count > parameter_count ? static_cast<int>(point_count - parameter_count) : 0);
 }
 
 double rSquared(const FamilyFit& fit, std::span<const ErrorPoint> points) {
@@ -71,37 +71,34 @@ ErrorFit zeroFit(std::vector<ErrorPoint> points) {
   return fit;
 }
 
-// Root of the mean squared relative residual, degrees of freedom allowed for.
-double relativeScatter(const ErrorFit& fit, double freedom) {
-  double largest = 0, sum = 0;
-  for (const ErrorPoint& point : fit.points) largest = std::max(largest, point.error);
-  for (std::size_t i = 0; i < fit.points.size(); ++i) {
-    const double predicted = fit.points[i].error - fit.residuals[i];
-    const double relative = fit.residuals[i] / std::max(predicted, 0.01 * largest);
-    sum += relative * relative;
-  }
-  return std::sqrt(sum / freedom);
-}
+struct RelativeMisfit {
+  double squares = 0;  // Σ (residual / predicted)²
+  double assumed = 0;  // mean of (sigma / predicted)²
+};
 
-// Half the width of a 95% interval in units of the estimated standard deviation. Few points take sigma at its word.
-double intervalFactor(std::size_t points, std::size_t parameters) {
-  if (points < kLeastPointsForAicc) return kNormal975;
-  return studentT975(static_cast<int>(points - parameters));
+RelativeMisfit relativeMisfit(const ErrorFit& fit) {
+  double largest = 0;
+  for (const ErrorPoint& point : fit.points) largest = std::max(largest, point.error);
+  RelativeMisfit misfit;
+  for (std::size_t i = 0; i < fit.points.size(); ++i) {
+    const double predicted = std::max(fit.points[i].error - fit.residuals[i], 0.01 * largest);
+    const double residual = fit.residuals[i] / predicted, sigma = fit.points[i].sigma / predicted;
+    misfit.squares += residual * residual;
+    misfit.assumed += sigma * sigma / static_cast<double>(fit.points.size());
+  }
+  return misfit;
 }
 
 void addIntervals(const FamilyFit& family, ErrorFit* fit) {
-  const std::size_t points = fit->points.size(), count = family.parameters.size();
-  const double freedom = static_cast<double>(points > count ? points - count : 1);
-  double variance_scale = family.chi_squared / freedom;
-  if (points < kLeastPointsForAicc) variance_scale = std::max(variance_scale, 1.0);
+  const std::size_t count = family.parameters.size();
+  const int freedom = degreesOfFreedom(fit->points.size(), count);
   FamilyCovariance covariance = familyCovariance(family, fit->points);
-  for (double& value : covariance.values) value *= variance_scale;
-  const double factor = intervalFactor(points, count);
+  for (double& value : covariance.values) value *= (family.chi_squared + kAssumedPoints) / freedom;
   for (std::size_t i = 0; i < count; ++i) {
     const ModelParameter& bounds = family.model->parameters[i];
     FittedParameter parameter{bounds.name, family.parameters[i], bounds.lower, bounds.upper};
     if (covariance.determined[i]) {
-      const double half = factor * std::sqrt(covariance.values[i * count + i]);
+      const double half = studentT975(freedom) * std::sqrt(covariance.values[i * count + i]);
       parameter.lo = std::max(bounds.lower, parameter.value - half);
       parameter.hi = std::min(bounds.upper, parameter.value + half);
     }
@@ -110,14 +107,15 @@ void addIntervals(const FamilyFit& family, ErrorFit* fit) {
   fit->covariance = std::move(covariance.values);
 }
 
-void addVerdict(const ErrorFitOptions& options, ErrorFit* fit) {
+void addVerdict(const ErrorFitOptions& options, double squares, ErrorFit* fit) {
   const std::size_t points = fit->points.size(), count = fit->parameters.size();
-  const std::string percent = std::to_string(std::lround(100 * fit->scatter)) + "%";
+  const double misfit = std::sqrt(squares / static_cast<double>(std::max<std::size_t>(points, count + 1) - count));
+  const std::string percent = std::to_string(std::lround(100 * misfit)) + "%";
   if (points <= count) {
     fit->verdict = FitVerdict::kFewPoints;
     fit->explanation = std::to_string(points) + " measured periods for " + std::to_string(count) +
                        " parameters: the model meets them and nothing vouches for it";
-  } else if (fit->scatter > options.poor_scatter) {
+  } else if (misfit > options.poor_scatter) {
     fit->verdict = FitVerdict::kPoor;
     fit->explanation = "the best model of the family still misses the measured errors by " + percent;
   } else {
@@ -148,16 +146,15 @@ ErrorFit describeFit(const FamilyFit& family, std::vector<ErrorPoint> points, co
   fit.r_squared = rSquared(family, fit.points);
   fit.aicc = informationCriterion(family, fit.points.size());
   addIntervals(family, &fit);
-  const std::size_t count = family.parameters.size();
-  fit.scatter = relativeScatter(fit, static_cast<double>(fit.points.size() > count ? fit.points.size() - count : 1));
+  const RelativeMisfit misfit = relativeMisfit(fit);
+  fit.scatter = std::sqrt((misfit.squares + kAssumedPoints * misfit.assumed) /
+                          degreesOfFreedom(fit.points.size(), family.parameters.size()));
   if (family.converged) {
-    addVerdict(options, &fit);
+    addVerdict(options, misfit.squares, &fit);
   } else {
     fit.verdict = FitVerdict::kNotConverged;
     fit.explanation = "the solver did not converge in " + std::to_string(options.max_iterations) + " iterations";
   }
-  // Points that happen to be met exactly do not show how far the next one will be off.
-  if (fit.points.size() < kLeastPointsForAicc) fit.scatter = std::max(fit.scatter, options.assumed_scatter);
   return fit;
 }
 
@@ -207,7 +204,8 @@ ErrorPrediction predictError(const ErrorFit& fit, std::uint32_t period_frames) {
       variance += derivatives[i] * derivatives[j] * fit.covariance[i * parameters.size() + j];
     }
   }
-  const double half = intervalFactor(fit.points.size(), parameters.size()) * std::sqrt(std::max(0.0, variance));
+  const double half =
+      studentT975(degreesOfFreedom(fit.points.size(), parameters.size())) * std::sqrt(std::max(0.0, variance));
   return {std::clamp(value, 0.0, 1.0), std::clamp(value - half, 0.0, 1.0), std::clamp(value + half, 0.0, 1.0)};
 }
 

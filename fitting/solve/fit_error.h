@@ -3,8 +3,9 @@
 // Weighted least squares by Levenberg-Marquardt (Ceres) with the parameters' bounds. A point weighs 1/s², where s is its sigma if
 // given, else 5% (assumed_scatter) of its own error or of 1% of the largest: what counts is the relative deviation, for
 // small errors too.
-// The pick is by AICc = N ln(χ²/N) + 2k + 2k(k+1)/(N−k−1), k = parameters + 1, N points; a misfit under s/50 (0.1%) counts as
-// none. With N < 5, where AICc is not defined for all models, s is taken at its word: AIC = χ² + 2·parameters.
+// The pick is by AICc = N ln(χ²/N) + 2k + 2k(k+1)/(N−k−1), k = parameters + 1, where N and χ² count the points and four more
+// that scatter by exactly s. Six periods cannot show their own scatter: without the four, AICc prefers one parameter
+// even where it misses by a third, and is not defined for few points. The intervals stand on the same scatter.
 #pragma once
 
 #include <span>
@@ -36,7 +37,7 @@ struct ErrorFit {
   std::vector<double> covariance;  // of the parameters, row by row
   std::vector<double> residuals;   // measured − predicted, one per point used, by ascending period
   std::vector<ErrorPoint> points;  // used, by ascending period; sigma is the s that they were weighted by
-  double scatter = 0;              // relative standard deviation of a point about the model
+  double scatter = 0;              // relative standard deviation of a point about the model, the four points counted
   double r_squared = 0;            // unweighted, against the mean; 1 if all points are met
   double aicc = 0;
   FitVerdict verdict = FitVerdict::kNoPoints;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fitting/solve/quiet_solver.h"
 #include "runtime/base/check.h"
 
 namespace reprise {
@@ -71,6 +72,7 @@ bool solveRound(std::span<const LinearRow> rows, double scatter, int max_iterati
   options.parameter_tolerance = 1e-9;
   options.num_threads = 1;
   ceres::Solver::Summary summary;
+  silenceSolverLog();
   ceres::Solve(options, &problem, &summary);
   return summary.termination_type == ceres::CONVERGENCE && std::isfinite(summary.final_cost);
 }

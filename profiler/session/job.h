@@ -19,6 +19,7 @@ namespace reprise {
 struct JobEntry {
   std::string package_dir;          // a package whose `variant` is played
   std::uint32_t period_frames = 1;
+  bool operator==(const JobEntry&) const = default;
 };
 
 enum class JobKind {
@@ -44,14 +45,16 @@ struct Job {
   std::string image_dir;
   double fence_timeout_s = 20;
   std::string run_id;
+  bool operator==(const Job&) const = default;
 };
 
 struct ProbeResult {
   int entry = 0;
   float payload_min[4] = {}, payload_max[4] = {};
   float depth_min = 0, depth_max = 0;       // view-linear, over all covered pixels
-  std::uint64_t nonfinite_payload = 0;      // pixels
-  std::uint64_t nonfinite_color = 0;        // pixels of the original
+  // Covered pixels that hold no payload: it is not finite there or, for candidates in conditional code, not computed.
+  std::uint64_t nonfinite_payload = 0;
+  std::uint64_t nonfinite_color = 0;        // pixels of the original, rendered to float targets whatever the scenario's are
   std::uint64_t covered = 0;
 };
 
@@ -61,8 +64,12 @@ struct JobResult {
   std::vector<std::vector<ErrorRow>> errors;     // by entry
   std::vector<std::vector<TimeRow>> times;       // by entry; times[e][r] of round r
   std::vector<ProbeResult> probes;               // by entry
-  std::vector<std::string> images;               // kImages: paths written: original, then per entry cached, error, kind
+  // kImages: paths written: original.png, then per entry cached, error (kImageErrorGain times the difference), hit_miss and payload.
+  // An entry that does not count, or has no cache, lacks the last ones.
+  std::vector<std::string> images;
 };
+
+inline constexpr float kImageErrorGain = 8;
 
 // Colours of the hit/miss image that kImages writes; uncovered pixels are grey.
 inline constexpr const char* kHitColorText = "#2a9d4b";

@@ -1,4 +1,7 @@
 // Errors, hits and misses: every frame once as the original, then by every entry, compared pixel by pixel.
+//
+// A shader with several colour outputs is judged by the worst of them, metric by metric: a later pass of the application reads
+// them all. Entries are played in batches that fit into memory; each batch renders the original again, which changes no row.
 #include <algorithm>
 #include <cstring>
 
@@ -9,79 +12,136 @@
 namespace reprise {
 namespace {
 
+constexpr std::size_t kBatchBytes = 400u << 20;
+
+using Outputs = std::vector<DisplayImage>;
+
+// The frame before; empty before the first.
 struct Rendered {
-  DisplayImage image, last;
-  std::vector<std::uint8_t> nonfinite;
-  bool has_last = false;
+  Outputs current, last;
+  std::vector<std::uint8_t> nonfinite;  // in any output
 };
+
+// What an entry keeps from frame to frame, at least: resources of its recipe and its last displayed frame.
+std::size_t entryBytes(const Recipe& recipe, std::size_t outputs, std::size_t pixels) {
+  std::size_t per_pixel = outputs * sizeof(float) * 3;
+  for (const Resource& resource : recipe.resources)
+    per_pixel += static_cast<std::size_t>(bytesPerPixel(resource.format)) * (resource.lifetime == Lifetime::kHistory ? 2 : 1);
+  return per_pixel * pixels;
+}
+
+Result<std::vector<const Metric*>> wantedMetrics(const std::vector<std::string>& names) {
+  for (const std::string& name : names)
+    if (findMetric(name) == nullptr) return Error{ErrorKind::kInput, "job.metric", "there is no metric '" + name + "'", {}};
+  std::vector<const Metric*> wanted;
+  for (const Metric& metric : metrics())
+    if (!metric.expensive || std::find(names.begin(), names.end(), metric.name) != names.end()) wanted.push_back(&metric);
+  return wanted;
+}
 
 class ErrorRun {
  public:
-  ErrorRun(const Job& job, Stage& stage) : job_(job), stage_(stage), readback_(*stage.context) {
-    for (const Metric& metric : metrics())
-      if (!metric.expensive || std::find(job.metrics.begin(), job.metrics.end(), metric.name) != job.metrics.end()) metrics_.push_back(&metric);
-    original_.image.width = mask_.width = static_cast<int>(stage.scenario.width);
-    original_.image.height = mask_.height = static_cast<int>(stage.scenario.height);
-    cached_.resize(job.entries.size());
-    for (Rendered& one : cached_) one.image.width = original_.image.width, one.image.height = original_.image.height;
+  ErrorRun(const Job& job, Stage& stage, std::vector<const Metric*> metrics)
+      : job_(job), stage_(stage), readback_(*stage.context), metrics_(std::move(metrics)) {
+    mask_.width = static_cast<int>(stage.scenario.width);
+    mask_.height = static_cast<int>(stage.scenario.height);
   }
 
   Result<JobResult> run(const JobListener& progress) {
-    REPRISE_ASSIGN(Player original, createOriginalPlayer(stage_));
-    REPRISE_ASSIGN(std::deque<Player> players, createPlayers(stage_));
-    JobResult result;
+    JobResult result = emptyResult(stage_);
     result.errors.resize(job_.entries.size());
-    const int frames = frameCount(job_, stage_);
-    for (int frame = 0; frame < frames; ++frame) {
-      stage_.renderer->setFrame(*stage_.session, evaluateFrame(stage_.scenario, *stage_.session, frame));
-      REPRISE_TRY(render(original, 1, original_));
-      if (hasUninstrumented()) REPRISE_TRY(readDepth());
-      for (std::size_t entry = 0; entry < players.size(); ++entry) {
-        REPRISE_TRY(render(players[entry], job_.entries[entry].period_frames, cached_[entry]));
-        ErrorRow row;
-        row.frame = frame;
-        REPRISE_TRY(count(players[entry], row));
-        compare(cached_[entry], row);
-        result.errors[entry].push_back(std::move(row));
-      }
-      if (progress) progress({frame + 1, frames});
-    }
+    progress_ = {0, static_cast<int>(batches().size()) * frameCount(job_, stage_)};
+    for (const Batch& batch : batches()) REPRISE_TRY(runBatch(batch, result, progress));
     return result;
   }
 
  private:
-  bool hasUninstrumented() const {
-    return std::any_of(stage_.packages.begin(), stage_.packages.end(), [](const Package& package) {
-      return std::none_of(package.variant.resources.begin(), package.variant.resources.end(), [](const Resource& one) { return one.name == "kind"; });
-    });
+  struct Batch {
+    std::size_t first = 0, count = 0;
+  };
+
+  std::vector<Batch> batches() const {
+    std::vector<Batch> list;
+    std::size_t used = kBatchBytes;
+    for (std::size_t entry = 0; entry < stage_.packages.size(); ++entry) {
+      const std::size_t bytes = entryBytes(stage_.packages[entry].variant, stage_.targets.colors.size(),
+                                           static_cast<std::size_t>(mask_.width) * static_cast<std::size_t>(mask_.height));
+      if (list.empty() || used + bytes > kBatchBytes) {
+        list.push_back({entry, 0});
+        used = 0;
+      }
+      ++list.back().count;
+      used += bytes;
+    }
+    return list;
+  }
+
+  Result<void> runBatch(const Batch& batch, JobResult& result, const JobListener& progress) {
+    REPRISE_ASSIGN(Player original, createOriginalPlayer(stage_));
+    std::deque<Player> players;
+    bool all_count = true;
+    for (std::size_t i = 0; i < batch.count; ++i) {
+      REPRISE_ASSIGN(Player player, createPlayer(stage_, stage_.packages[batch.first + i]));
+      players.push_back(std::move(player));
+      all_count = all_count && counts(players.back());
+    }
+    original_ = {};
+    cached_ = {};
+    std::vector<Outputs> last(batch.count);
+    const int frames = frameCount(job_, stage_);
+    for (int frame = 0; frame < frames; ++frame) {
+      stage_.renderer->setFrame(*stage_.session, evaluateFrame(stage_.scenario, *stage_.session, frame));
+      std::swap(original_.last, original_.current);
+      REPRISE_TRY(render(original, 1, original_));
+      if (!all_count) REPRISE_TRY(readDepth());
+      for (std::size_t i = 0; i < batch.count; ++i) {
+        std::swap(cached_.last, last[i]);
+        REPRISE_TRY(render(players[i], job_.entries[batch.first + i].period_frames, cached_));
+        ErrorRow row;
+        row.frame = frame;
+        REPRISE_TRY(count(players[i], row));
+        compare(row);
+        result.errors[batch.first + i].push_back(std::move(row));
+        // This frame becomes the entry's last one; the buffers of the frame before are used again.
+        std::swap(last[i], cached_.current);
+        std::swap(cached_.current, cached_.last);
+      }
+      ++progress_.done;
+      if (progress) progress(progress_);
+    }
+    return {};
+  }
+
+  static bool counts(const Player& player) {
+    const std::vector<Resource>& resources = player.recipe().resources;
+    return std::any_of(resources.begin(), resources.end(), [](const Resource& one) { return one.name == "kind"; });
   }
 
   Result<void> render(Player& player, std::uint32_t period, Rendered& into) {
     REPRISE_TRY(stage_.commands->run([&](VkCommandBuffer buffer) { return stage_.renderer->record(buffer, player, stage_.targets, period, {}); },
                                      job_.fence_timeout_s));
-    std::swap(into.image.rgb, into.last.rgb);
-    into.has_last = !into.last.rgb.empty();
-    into.last.width = into.image.width;
-    into.last.height = into.image.height;
-    const VkFormat format = stage_.renderer->colorFormat(0);
-    REPRISE_ASSIGN(const auto texels, readback_.read(*stage_.commands, {stage_.targets.colors[0].image.get(), format, stage_.targets.extent,
-                                                                        VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL}));
-    toDisplay(texels, format, {stage_.scenario.tone_map, stage_.scenario.exposure}, into.image, &into.nonfinite);
+    into.current.resize(stage_.targets.colors.size());
+    std::vector<std::uint8_t> nonfinite;
+    for (std::size_t i = 0; i < into.current.size(); ++i) {
+      const Image& target = stage_.targets.colors[i];
+      REPRISE_ASSIGN(const auto texels, readback_.read(*stage_.commands, {target.image.get(), target.format, stage_.targets.extent,
+                                                                          VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL}));
+      into.current[i].width = mask_.width;
+      into.current[i].height = mask_.height;
+      toDisplay(texels, target.format, {stage_.scenario.tone_map, stage_.scenario.exposure}, into.current[i], &nonfinite);
+      if (i == 0) {
+        into.nonfinite = nonfinite;
+      } else {
+        for (std::size_t pixel = 0; pixel < nonfinite.size(); ++pixel) into.nonfinite[pixel] |= nonfinite[pixel];
+      }
+    }
     return {};
   }
 
   // Entries without counters (references): what the original covers, all of it missed.
   Result<void> readDepth() {
-    depth_mask_.assign(static_cast<std::size_t>(mask_.width) * static_cast<std::size_t>(mask_.height), 2);
-    if (stage_.renderer->depthFormat() != VK_FORMAT_D32_SFLOAT) return {};
-    REPRISE_ASSIGN(const auto texels, readback_.read(*stage_.commands, {stage_.targets.depth.image.get(), VK_FORMAT_D32_SFLOAT, stage_.targets.extent,
-                                                                        VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL}));
-    const float clear = stage_.renderer->clearDepth();
-    for (std::size_t pixel = 0; pixel < depth_mask_.size(); ++pixel) {
-      float depth;
-      std::memcpy(&depth, &texels[pixel * 4], 4);
-      if (depth == clear) depth_mask_[pixel] = 0;
-    }
+    REPRISE_ASSIGN(depth_mask_, coveredPixels(stage_, readback_));
+    for (std::uint8_t& kind : depth_mask_) kind = kind != 0 ? 2 : 0;
     return {};
   }
 
@@ -93,17 +153,7 @@ class ErrorRun {
       REPRISE_ASSIGN(const auto kinds, readback_.read(*stage_.commands, {kind->image, kind->format, kind->extent, kind->layout}));
       mask_.kind.resize(kinds.size());
       std::memcpy(mask_.kind.data(), kinds.data(), kinds.size());
-      const auto counts = player.resource("counts");
-      REPRISE_ASSIGN(const auto fragments, readback_.read(*stage_.commands, {counts->image, counts->format, counts->extent, counts->layout}));
-      double hits = 0, misses = 0;
-      for (std::size_t at = 0; at < fragments.size(); at += 16) {
-        float shaded[2];
-        std::memcpy(shaded, &fragments[at], sizeof shaded);
-        hits += static_cast<double>(shaded[0]);
-        misses += static_cast<double>(shaded[1]);
-      }
-      row.shaded_hits = static_cast<std::uint64_t>(hits);
-      row.shaded_misses = static_cast<std::uint64_t>(misses);
+      REPRISE_TRY(countFragments(player, row));
     }
     for (const std::uint8_t one : mask_.kind) {
       row.hits += one == 1;
@@ -114,34 +164,60 @@ class ErrorRun {
     return {};
   }
 
+  Result<void> countFragments(const Player& player, ErrorRow& row) {
+    const auto counts = player.resource("counts");
+    if (!counts) return {};
+    REPRISE_ASSIGN(const auto fragments, readback_.read(*stage_.commands, {counts->image, counts->format, counts->extent, counts->layout}));
+    double hits = 0, misses = 0;
+    for (std::size_t at = 0; at < fragments.size(); at += 16) {
+      float shaded[2];
+      std::memcpy(shaded, &fragments[at], sizeof shaded);
+      hits += static_cast<double>(shaded[0]);
+      misses += static_cast<double>(shaded[1]);
+    }
+    row.shaded_hits = static_cast<std::uint64_t>(hits);
+    row.shaded_misses = static_cast<std::uint64_t>(misses);
+    return {};
+  }
+
   // Pixels that are not finite are counted and left out, never averaged away.
-  void compare(Rendered& cached, ErrorRow& row) {
+  void compare(ErrorRow& row) {
     for (std::size_t pixel = 0; pixel < mask_.kind.size(); ++pixel) {
-      if (mask_.kind[pixel] == 0 || (original_.nonfinite[pixel] | cached.nonfinite[pixel]) == 0) continue;
+      if (mask_.kind[pixel] == 0 || (original_.nonfinite[pixel] | cached_.nonfinite[pixel]) == 0) continue;
       ++row.nonfinite;
       mask_.kind[pixel] = 0;
     }
     if (row.covered == row.nonfinite) return;
-    MetricInputs inputs{&original_.image, &cached.image, original_.has_last ? &original_.last : nullptr,
-                        cached.has_last ? &cached.last : nullptr, &mask_};
-    for (const Metric* metric : metrics_) row.errors[metric->name] = metric->evaluate(inputs);
+    for (const Metric* metric : metrics_) {
+      double worst = 0;
+      for (std::size_t i = 0; i < cached_.current.size(); ++i) {
+        const double value = metric->evaluate({&original_.current[i], &cached_.current[i], lastOf(original_, i), lastOf(cached_, i), &mask_});
+        if (!(value <= worst)) worst = value;  // keeps a NaN, too
+      }
+      row.errors[metric->name] = worst;
+    }
+  }
+
+  static const DisplayImage* lastOf(const Rendered& rendered, std::size_t output) {
+    return rendered.last.empty() || rendered.last[output].rgb.empty() ? nullptr : &rendered.last[output];
   }
 
   const Job& job_;
   Stage& stage_;
   Readback readback_;
   std::vector<const Metric*> metrics_;
-  Rendered original_;
-  std::vector<Rendered> cached_;
+  Rendered original_, cached_;
   CoverageMask mask_;
   std::vector<std::uint8_t> depth_mask_;
+  JobProgress progress_;
 };
 
 }  // namespace
 
 Result<JobResult> runErrors(const Job& job, const JobListener& progress) {
+  REPRISE_ASSIGN(std::vector<const Metric*> wanted, wantedMetrics(job.metrics));
   REPRISE_ASSIGN(const std::unique_ptr<Stage> stage, setStage(job));
-  return ErrorRun(job, *stage).run(progress);
+  return ErrorRun(job, *stage, std::move(wanted)).run(progress);
 }
 
 }  // namespace reprise

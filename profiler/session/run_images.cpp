@@ -10,8 +10,6 @@
 namespace reprise {
 namespace {
 
-constexpr float kErrorGain = 8;
-
 // "#rrggbb" as RGB in [0, 1].
 std::array<float, 3> colorFrom(const char* text) {
   const std::string hex = text;
@@ -23,7 +21,7 @@ std::array<float, 3> colorFrom(const char* text) {
 
 DisplayImage errorImage(const DisplayImage& original, const DisplayImage& cached) {
   DisplayImage image = original;
-  for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] = std::min(1.0f, std::abs(original.rgb[i] - cached.rgb[i]) * kErrorGain);
+  for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] = std::min(1.0f, std::abs(original.rgb[i] - cached.rgb[i]) * kImageErrorGain);
   return image;
 }
 
@@ -54,6 +52,7 @@ class ImageRun {
   ImageRun(const Job& job, Stage& stage) : job_(job), stage_(stage), readback_(*stage.context) {}
 
   Result<JobResult> run(const JobListener& progress) {
+    result_ = emptyResult(stage_);
     REPRISE_ASSIGN(Player original, createOriginalPlayer(stage_));
     REPRISE_ASSIGN(std::deque<Player> players, createPlayers(stage_));
     for (int frame = 0; frame <= job_.image_frame; ++frame) {

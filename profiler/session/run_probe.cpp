@@ -9,14 +9,26 @@
 namespace reprise {
 namespace {
 
-void widen(const Player& player, const std::vector<float>& cache, const std::vector<float>& depth_image, ProbeResult& probe) {
+// covered: one byte per pixel, 0 where nothing was drawn.
+struct ProbedFrame {
+  const std::vector<float>& cache;        // RGBA
+  const std::vector<float>& depth_image;  // RGBA too; empty where depth lies in the cache's alpha
+  const std::vector<std::uint8_t>& covered;
+};
+
+void widen(const Player& player, const ProbedFrame& frame, ProbeResult& probe) {
+  const std::vector<float>&cache = frame.cache, &depth_image = frame.depth_image;
   const Recipe& recipe = player.recipe();
   const int channels = recipe.payload.front().channels;
   const FrameUniforms& constants = recipe.constants;
   for (std::size_t at = 0; at < cache.size(); at += 4) {
     const float stored = depth_image.empty() ? cache[at + 3] : depth_image[at];
-    if (!(stored > 0)) continue;
+    if (frame.covered[at / 4] == 0) continue;
     ++probe.covered;
+    if (!(stored > 0)) {
+      ++probe.nonfinite_payload;
+      continue;
+    }
     const float depth = (stored - constants.depth_range[1]) / constants.depth_range[0];
     probe.depth_min = std::min(probe.depth_min, depth);
     probe.depth_max = std::max(probe.depth_max, depth);
@@ -52,11 +64,17 @@ void settle(ProbeResult& probe) {
   if (!(probe.depth_max >= probe.depth_min)) probe.depth_min = probe.depth_max = 0;
 }
 
-std::uint64_t countNonfinite(const std::vector<float>& rgba) {
-  std::uint64_t count = 0;
-  for (std::size_t at = 0; at < rgba.size(); at += 4)
-    count += !(std::isfinite(rgba[at]) && std::isfinite(rgba[at + 1]) && std::isfinite(rgba[at + 2]));
-  return count;
+// Pixels of the frame that was rendered last with a colour that is not finite, in any output.
+Result<std::uint64_t> countNonfinite(Stage& stage, Readback& readback) {
+  std::vector<std::uint8_t> found(static_cast<std::size_t>(stage.targets.extent.width) * stage.targets.extent.height);
+  for (const Image& image : stage.targets.colors) {
+    REPRISE_ASSIGN(const auto texels, readback.read(*stage.commands, {image.image.get(), image.format, stage.targets.extent,
+                                                                      VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL}));
+    const std::vector<float> rgba = toFloats(texels, image.format);
+    for (std::size_t at = 0; at < rgba.size(); ++at)
+      if (!std::isfinite(rgba[at])) found[at / 4] = 1;
+  }
+  return static_cast<std::uint64_t>(std::count(found.begin(), found.end(), 1));
 }
 
 }  // namespace
@@ -66,7 +84,7 @@ Result<JobResult> runProbe(const Job& job, const JobListener& progress) {
   REPRISE_ASSIGN(Player original, createOriginalPlayer(*stage));
   REPRISE_ASSIGN(std::deque<Player> players, createPlayers(*stage));
   Readback readback(*stage->context);
-  JobResult result;
+  JobResult result = emptyResult(*stage);
   for (std::size_t entry = 0; entry < players.size(); ++entry) result.probes.push_back(emptyProbe(entry));
   const int session_frames = stage->session->frames > 0 ? stage->session->frames : stage->scenario.frames;
   const int frames = std::min(frameCount(job, *stage), session_frames);
@@ -79,15 +97,13 @@ Result<JobResult> runProbe(const Job& job, const JobListener& progress) {
       return stage->commands->run([&](VkCommandBuffer buffer) { return stage->renderer->record(buffer, player, stage->targets, 1, {}); }, job.fence_timeout_s);
     };
     REPRISE_TRY(render(original));
-    const VkFormat format = stage->renderer->colorFormat(0);
-    REPRISE_ASSIGN(const auto texels, readback.read(*stage->commands, {stage->targets.colors[0].image.get(), format, stage->targets.extent,
-                                                                       VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL}));
-    const std::uint64_t nonfinite = countNonfinite(toFloats(texels, format));
+    REPRISE_ASSIGN(const std::uint64_t nonfinite, countNonfinite(*stage, readback));
+    REPRISE_ASSIGN(const std::vector<std::uint8_t> covered, coveredPixels(*stage, readback));
     for (std::size_t entry = 0; entry < players.size(); ++entry) {
       REPRISE_TRY(render(players[entry]));
       REPRISE_ASSIGN(const std::vector<float> cache, readResource(*stage, readback, players[entry], "cache"));
       REPRISE_ASSIGN(const std::vector<float> depth, readResource(*stage, readback, players[entry], "cache_depth"));
-      widen(players[entry], cache, depth, result.probes[entry]);
+      widen(players[entry], {cache, depth, covered}, result.probes[entry]);
       result.probes[entry].nonfinite_color += nonfinite;
     }
     if (progress) progress({step + 1, frames});

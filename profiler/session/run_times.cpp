@@ -36,7 +36,7 @@ class TimeRun {
     if (stage_.context->has_timestamps()) {
       REPRISE_ASSIGN(timestamps_, createTimestamps(stage_.context->view(), static_cast<std::uint32_t>(most_passes) + 1));
     }
-    JobResult result;
+    JobResult result = emptyResult(stage_);
     result.times.resize(players.size());
     const int total = job_.warmup_frames + job_.rounds;
     for (int round = 0; round < total; ++round) {

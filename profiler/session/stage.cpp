@@ -1,5 +1,7 @@
 #include "profiler/session/stage.h"
 
+#include <cstring>
+
 #include "profiler/scenario/read_scenario.h"
 
 namespace reprise {
@@ -14,8 +16,14 @@ Result<std::unique_ptr<Stage>> setStage(const Job& job) {
   if (stage->session == nullptr)
     return Error{ErrorKind::kInput, "session.unknown", "the scenario has no session '" + job.session + "'", {job.scenario_path, 0, 0}};
   REPRISE_ASSIGN(stage->original, readPackage(job.original_dir));
+  REPRISE_TRY(checkBindings(stage->scenario, stage->original.interface));
+  if (job.kind == JobKind::kProbe)
+    stage->scenario.state.color_formats.assign(stage->original.interface.outputs.size(), "rgba32_sfloat");
   for (const JobEntry& entry : job.entries) {
     REPRISE_ASSIGN(Package package, readPackage(entry.package_dir));
+    if (package.interface != stage->original.interface)
+      return Error{ErrorKind::kInput, "job.interface",
+                   "the package '" + entry.package_dir + "' was made from other shaders than the original in '" + job.original_dir + "'", {}};
     stage->packages.push_back(std::move(package));
   }
   ContextOptions options;
@@ -30,12 +38,19 @@ Result<std::unique_ptr<Stage>> setStage(const Job& job) {
   return stage;
 }
 
+Result<Player> createPlayer(const Stage& stage, const Package& package) {
+  PlayerOptions options;
+  options.frames_in_flight = 1;  // every frame is waited for
+  REPRISE_ASSIGN(Player player, stage.renderer->createPlayer(package, options));
+  if (!player.originalReason().empty())
+    return Error{ErrorKind::kMeasurement, "player.requirement", "the variant cannot be played on this device: " + player.originalReason(), {}};
+  return player;
+}
+
 Result<std::deque<Player>> createPlayers(const Stage& stage) {
   std::deque<Player> players;
   for (const Package& package : stage.packages) {
-    REPRISE_ASSIGN(Player player, stage.renderer->createPlayer(package, {}));
-    if (!player.originalReason().empty())
-      return Error{ErrorKind::kMeasurement, "player.requirement", "the variant cannot be played on this device: " + player.originalReason(), {}};
+    REPRISE_ASSIGN(Player player, createPlayer(stage, package));
     players.push_back(std::move(player));
   }
   return players;
@@ -45,6 +60,29 @@ Result<Player> createOriginalPlayer(const Stage& stage) {
   PlayerOptions options;
   options.force_original = true;
   return stage.renderer->createPlayer(stage.original, options);
+}
+
+Result<std::vector<std::uint8_t>> coveredPixels(const Stage& stage, Readback& readback) {
+  // D32_SFLOAT names the depth of images with stencil, too.
+  REPRISE_ASSIGN(const auto texels, readback.read(*stage.commands, {stage.targets.depth.image.get(), VK_FORMAT_D32_SFLOAT, stage.targets.extent,
+                                                                    VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL}));
+  const float clear_depth = stage.renderer->clearDepth();
+  std::vector<std::uint8_t> covered(texels.size() / 4);
+  for (std::size_t pixel = 0; pixel < covered.size(); ++pixel) {
+    float depth;
+    std::memcpy(&depth, &texels[pixel * 4], sizeof depth);
+    covered[pixel] = depth != clear_depth ? 1 : 0;
+  }
+  return covered;
+}
+
+JobResult emptyResult(const Stage& stage) {
+  JobResult result;
+  const DeviceSummary& device = stage.context->summary();
+  result.device = device.name;
+  result.driver = device.driver;
+  result.cpu_device = device.is_cpu;
+  return result;
 }
 
 int frameCount(const Job& job, const Stage& stage) {

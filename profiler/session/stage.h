@@ -27,12 +27,20 @@ struct Stage {
   RenderTargets targets;
 };
 
-// Errors: those of readScenario, readPackage, Context and SceneRenderer; session.unknown (kInput).
+// Probes render to RGBA32F targets, so that no value is hidden by a format. Errors: those of readScenario, readPackage,
+// checkBindings, Context and SceneRenderer; session.unknown, job.interface (kInput; a package made from other shaders).
 Result<std::unique_ptr<Stage>> setStage(const Job& job);
 
-// Players of all entries; an entry whose requirements are missing here is an error (kMeasurement): player.requirement.
+// The player of a package's variant, or of all entries; one whose requirements are missing here is an error (kMeasurement): player.requirement.
+Result<Player> createPlayer(const Stage& stage, const Package& package);
 Result<std::deque<Player>> createPlayers(const Stage& stage);
 Result<Player> createOriginalPlayer(const Stage& stage);
+
+// One byte per pixel: 1 where the frame that was rendered last drew something (its depth is not the clear value), else 0.
+Result<std::vector<std::uint8_t>> coveredPixels(const Stage& stage, Readback& readback);
+
+// A result that says on which device it was made, and nothing else yet.
+JobResult emptyResult(const Stage& stage);
 
 // The number of frames that the job asks for.
 int frameCount(const Job& job, const Stage& stage);

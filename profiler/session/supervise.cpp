@@ -49,6 +49,7 @@ class Worker {
   ~Worker() { kill(); }
 
   Result<void> start(const std::string& path, const std::string& job) {
+    if (::access(path.c_str(), X_OK) != 0) return systemError("'" + path + "'");
     if (!input_.open() || !output_.open() || !errors_.open()) return systemError("pipe");
     const pid_t parent = ::getpid();
     pid_ = ::fork();
@@ -87,7 +88,7 @@ class Worker {
         kill();
         return Error{ErrorKind::kMeasurement, "worker.timeout",
                      "the measuring process was silent for " + std::to_string(static_cast<int>(options.silence_timeout_s)) +
-                         " s and was ended" + tail(), {}};
+                         " s and was ended" + whereabouts() + tail(), {}};
       }
     }
   }
@@ -135,17 +136,18 @@ class Worker {
     }
   }
 
-  static std::optional<Result<JobResult>> understand(const std::string& line, const std::function<void(const JobProgress&)>& progress) {
+  std::optional<Result<JobResult>> understand(const std::string& line, const std::function<void(const JobProgress&)>& progress) {
     try {
       const nlohmann::json message = nlohmann::json::parse(line);
       if (message.contains("progress")) {
-        if (progress) progress({message.at("progress").at(0), message.at("progress").at(1)});
+        last_ = {message.at("progress").at(0), message.at("progress").at(1)};
+        if (progress) progress(last_);
         return std::nullopt;
       }
       if (message.contains("result")) return Result<JobResult>(resultFrom(message.at("result")));
       const nlohmann::json& error = message.at("error");
       return Result<JobResult>(Error{static_cast<ErrorKind>(error.at("kind").get<int>()), error.at("code"), error.at("message"),
-                                     {error.at("file"), error.at("line"), 0}});
+                                     {error.at("file"), error.at("line"), error.at("column")}});
     } catch (const std::exception& failure) {
       return Result<JobResult>(Error{ErrorKind::kMeasurement, "worker.garbled", std::string("the measuring process said something that is no answer: ") + failure.what(), {}});
     }
@@ -157,7 +159,13 @@ class Worker {
     pid_ = -1;
     const std::string how = WIFSIGNALED(status) ? std::string("was ended by ") + ::strsignal(WTERMSIG(status))
                                                 : "ended with status " + std::to_string(WEXITSTATUS(status)) + " and no answer";
-    return {ErrorKind::kMeasurement, "worker.crashed", "the measuring process " + how + tail(), {}};
+    return {ErrorKind::kMeasurement, "worker.crashed", "the measuring process " + how + whereabouts() + tail(), {}};
+  }
+
+  // What it was doing.
+  std::string whereabouts() const {
+    if (last_.total == 0) return ", before it had measured anything";
+    return ", after " + std::to_string(last_.done) + " of " + std::to_string(last_.total) + " frames";
   }
 
   std::string tail() const {
@@ -176,6 +184,7 @@ class Worker {
   pid_t pid_ = -1;
   Pipe input_, output_, errors_;
   std::string buffer_, stderr_tail_;
+  JobProgress last_;
 };
 
 }  // namespace

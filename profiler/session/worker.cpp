@@ -1,5 +1,7 @@
 // The worker's side of the pipe. One JSON object a line on standard output: {"progress": [done, total]}, then {"result": ...} or
 // {"error": {kind, code, message}}.
+#include <unistd.h>
+
 #include <cstdio>
 #include <iostream>
 #include <iterator>
@@ -10,26 +12,51 @@
 namespace reprise {
 namespace {
 
-void say(const nlohmann::json& line) {
-  const std::string text = line.dump() + "\n";
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  std::fflush(stdout);
+class Answers {
+ public:
+  // Drivers and layers print to standard output, too: what they say goes to standard error, where it cannot garble answers.
+  Answers() : descriptor_(::dup(STDOUT_FILENO)) { ::dup2(STDERR_FILENO, STDOUT_FILENO); }
+  ~Answers() { ::close(descriptor_); }
+  Answers(const Answers&) = delete;
+  Answers& operator=(const Answers&) = delete;
+
+  void say(const nlohmann::json& line) const {
+    const std::string text = line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    std::size_t sent = 0;
+    while (sent < text.size()) {
+      const ssize_t written = ::write(descriptor_, text.data() + sent, text.size() - sent);
+      if (written < 0 && errno == EINTR) continue;
+      if (written <= 0) return;  // nobody listens any more
+      sent += static_cast<std::size_t>(written);
+    }
+  }
+
+ private:
+  int descriptor_;
+};
+
+Result<JobResult> answer(const std::string& text, const Answers& answers) {
+  REPRISE_ASSIGN(const Job job, jobFromJson(text));
+  try {
+    return runJob(job, [&](const JobProgress& state) { answers.say({{"progress", {state.done, state.total}}}); });
+  } catch (const std::exception& failure) {  // memory, mostly
+    return Error{ErrorKind::kMeasurement, "worker.exception", std::string("the measuring process gave up: ") + failure.what(), {}};
+  }
 }
 
 }  // namespace
 
 int runWorker() {
+  const Answers answers;
   const std::string text((std::istreambuf_iterator<char>(std::cin)), std::istreambuf_iterator<char>());
-  const Result<Job> job = jobFromJson(text);
-  Result<JobResult> result = job.ok() ? runJob(*job, [](const JobProgress& state) { say({{"progress", {state.done, state.total}}}); })
-                                      : Result<JobResult>(job.error());
+  const Result<JobResult> result = answer(text, answers);
   if (result.ok()) {
-    say({{"result", resultJson(*result)}});
+    answers.say({{"result", resultJson(*result)}});
     return 0;
   }
   const Error& error = result.error();
-  say({{"error", {{"kind", static_cast<int>(error.kind)}, {"code", error.code}, {"message", error.message},
-                  {"file", error.place.file}, {"line", error.place.line}}}});
+  answers.say({{"error", {{"kind", static_cast<int>(error.kind)}, {"code", error.code}, {"message", error.message},
+                          {"file", error.place.file}, {"line", error.place.line}, {"column", error.place.column}}}});
   return 1;
 }
 

@@ -1,21 +1,26 @@
 // Cross references and bounds of a package. A package may come from anywhere; the player trusts what passed here.
 #include <algorithm>
 #include <bit>
+#include <set>
 
 #include "runtime/package/package.h"
 
 namespace reprise {
 namespace {
 
-constexpr std::size_t kMaxPasses = 16, kMaxResources = 16, kMaxAttachments = 8, kMaxReads = 8, kMaxPrevious = 16;
-constexpr std::uint32_t kMaxSet = 31, kMaxBlockBytes = 65536, kFirstReadBinding = 2, kFirstPreviousBinding = 16;
+constexpr std::size_t kMaxPasses = 16, kMaxResources = 16, kMaxAttachments = 8, kMaxReads = 8, kMaxPrevious = 16,
+                      kMaxModules = 64;
+constexpr std::uint32_t kMaxSet = 31, kMaxBlockBytes = 65536, kFirstReadBinding = 2, kFirstPreviousBinding = 16,
+                        kMaxPreviousBinding = 64;
 
 Error inconsistent(const std::string& what) {
   return {ErrorKind::kInput, "package.inconsistent", "the package contradicts itself: " + what, {}};
 }
 
-bool hasResource(const Recipe& recipe, const std::string& name) {
-  return std::any_of(recipe.resources.begin(), recipe.resources.end(), [&](const Resource& one) { return one.name == name; });
+const Resource* findResource(const Recipe& recipe, const std::string& name) {
+  const auto found =
+      std::find_if(recipe.resources.begin(), recipe.resources.end(), [&](const Resource& one) { return one.name == name; });
+  return found == recipe.resources.end() ? nullptr : &*found;
 }
 
 Result<void> checkModule(const Package& package, const Recipe& recipe, const std::string& name, const char* stage) {
@@ -25,47 +30,108 @@ Result<void> checkModule(const Package& package, const Recipe& recipe, const std
   return {};
 }
 
-Result<void> checkPass(const Package& package, const Recipe& recipe, const Pass& pass) {
-  if (pass.kind != PassKind::kDraw) return inconsistent("pass '" + pass.name + "' is of a kind that version 1 does not play");
-  REPRISE_TRY(checkModule(package, recipe, pass.vertex_module, "vertex"));
-  if (!pass.fragment_module.empty()) REPRISE_TRY(checkModule(package, recipe, pass.fragment_module, "fragment"));
+Result<void> checkColors(const Package& package, const Recipe& recipe, const Pass& pass) {
   if (pass.colors.size() > kMaxAttachments) return inconsistent("pass '" + pass.name + "' has too many attachments");
+  std::set<int> locations;
+  std::set<std::string> targets;
   for (const ColorAttachment& color : pass.colors) {
     if (color.location < 0 || color.location >= static_cast<int>(kMaxAttachments)) return inconsistent("an output location is out of range");
     const bool is_app = color.resource.empty();
     if (is_app && (color.app_target < 0 || color.app_target >= static_cast<int>(package.interface.outputs.size())))
       return inconsistent("pass '" + pass.name + "' writes an application target that the shader does not have");
-    if (!is_app && !hasResource(recipe, color.resource)) return inconsistent("there is no resource '" + color.resource + "'");
+    const Resource* resource = findResource(recipe, color.resource);
+    if (!is_app && resource == nullptr) return inconsistent("there is no resource '" + color.resource + "'");
+    if (!is_app && resource->scale != 1)
+      return inconsistent("pass '" + pass.name + "' writes '" + color.resource + "', whose size is not the target's");
+    const bool is_new = locations.insert(color.location).second &&
+                        targets.insert(is_app ? " " + std::to_string(color.app_target) : color.resource).second;
+    if (!is_new) return inconsistent("pass '" + pass.name + "' attaches something twice");
   }
+  return {};
+}
+
+// `written`: resources that earlier renderings of the frame have written.
+Result<void> checkReads(const Recipe& recipe, const Pass& pass, const std::set<std::string>& written) {
   if (pass.reads.size() > kMaxReads) return inconsistent("pass '" + pass.name + "' reads too many images");
+  if (!pass.reads.empty() && !recipe.uses_reprise_set) return inconsistent("pass '" + pass.name + "' reads without a descriptor set");
+  std::set<std::uint32_t> bindings;
   for (const Read& read : pass.reads) {
-    if (!hasResource(recipe, read.resource)) return inconsistent("there is no resource '" + read.resource + "'");
+    const Resource* resource = findResource(recipe, read.resource);
+    if (resource == nullptr) return inconsistent("there is no resource '" + read.resource + "'");
     if (read.binding < kFirstReadBinding || read.binding >= kFirstPreviousBinding) return inconsistent("a read's binding is out of range");
+    if (!bindings.insert(read.binding).second) return inconsistent("pass '" + pass.name + "' reads two images at one binding");
+    const bool this_frame = read.current || resource->lifetime == Lifetime::kFrame;
+    if (this_frame && written.count(read.resource) == 0)
+      return inconsistent("pass '" + pass.name + "' reads '" + read.resource + "' before a rendering has written it");
+    const bool attached = std::any_of(pass.colors.begin(), pass.colors.end(),
+                                      [&](const ColorAttachment& color) { return color.resource == read.resource; });
+    if (attached && (read.current || resource->lifetime != Lifetime::kHistory))
+      return inconsistent("pass '" + pass.name + "' reads '" + read.resource + "' while writing it");
+  }
+  return {};
+}
+
+Result<void> checkPass(const Package& package, const Recipe& recipe, const Pass& pass) {
+  if (pass.kind != PassKind::kDraw) return inconsistent("pass '" + pass.name + "' is of a kind that version 1 does not play");
+  if (pass.stencil != StencilUse::kNone && !recipe.requirements.stencil)
+    return inconsistent("pass '" + pass.name + "' uses the stencil, which the recipe does not require");
+  REPRISE_TRY(checkModule(package, recipe, pass.vertex_module, "vertex"));
+  if (!pass.fragment_module.empty()) REPRISE_TRY(checkModule(package, recipe, pass.fragment_module, "fragment"));
+  return checkColors(package, recipe, pass);
+}
+
+Result<void> checkPasses(const Package& package, const Recipe& recipe) {
+  if (recipe.passes.empty() || recipe.passes.size() > kMaxPasses) return inconsistent("a recipe needs 1 to 16 passes");
+  std::set<std::string> written, attached;
+  std::set<int> renderings;
+  for (std::size_t i = 0; i < recipe.passes.size(); ++i) {
+    const Pass& pass = recipe.passes[i];
+    REPRISE_TRY(checkPass(package, recipe, pass));
+    const bool begins = i == 0 || pass.rendering != recipe.passes[i - 1].rendering;
+    if (begins) {
+      if (!renderings.insert(pass.rendering).second) return inconsistent("the passes of a rendering are not consecutive");
+      written.merge(attached);
+      attached.clear();
+    } else if (pass.colors != recipe.passes[i - 1].colors) {
+      return inconsistent("passes of one rendering have different attachments");
+    }
+    REPRISE_TRY(checkReads(recipe, pass, written));
+    for (const ColorAttachment& color : pass.colors)
+      if (!color.resource.empty()) attached.insert(color.resource);
+  }
+  return {};
+}
+
+Result<void> checkPreviousInputs(const Recipe& recipe) {
+  if (recipe.previous_inputs.size() > kMaxPrevious) return inconsistent("too many previous inputs");
+  std::set<std::uint32_t> bindings;
+  int push_constants = 0;
+  for (const PreviousInput& input : recipe.previous_inputs) {
+    const bool is_block = input.source == PreviousSource::kUniformBlock;
+    if (input.size_bytes == 0 || input.size_bytes > kMaxBlockBytes ||
+        (is_block && (input.reprise_binding < kFirstPreviousBinding || input.reprise_binding > kMaxPreviousBinding)))
+      return inconsistent("the previous input '" + input.name + "' has a size or binding out of range");
+    if (is_block ? !bindings.insert(input.reprise_binding).second : ++push_constants > 1)
+      return inconsistent("the previous input '" + input.name + "' lies where another one does");
   }
   return {};
 }
 
 Result<void> checkRecipe(const Package& package, const Recipe& recipe) {
-  if (recipe.passes.empty() || recipe.passes.size() > kMaxPasses) return inconsistent("a recipe needs 1 to 16 passes");
-  if (recipe.resources.size() > kMaxResources || recipe.previous_inputs.size() > kMaxPrevious)
-    return inconsistent("too many resources or inputs");
+  if (recipe.resources.size() > kMaxResources || recipe.modules.size() > kMaxModules)
+    return inconsistent("too many resources or modules");
   if (recipe.reprise_set > kMaxSet) return inconsistent("the descriptor set is out of range");
   if (!std::has_single_bit(recipe.block_pixels) || recipe.block_pixels < 2 || recipe.block_pixels > 1024)
     return inconsistent("the refresh block must be a power of two from 2 to 1024");
   if (recipe.period_frames != kNeverRefresh && (!std::has_single_bit(recipe.period_frames) || recipe.period_frames > 64))
     return inconsistent("the period must be 1, 2, 4, ... 64 or null");
-  for (const Resource& resource : recipe.resources)
+  std::set<std::string> names;
+  for (const Resource& resource : recipe.resources) {
     if (!(resource.scale > 0 && resource.scale <= 1)) return inconsistent("resource '" + resource.name + "' has a scale out of (0, 1]");
-  for (const PreviousInput& input : recipe.previous_inputs)
-    if (input.size_bytes == 0 || input.size_bytes > kMaxBlockBytes ||
-        (input.source == PreviousSource::kUniformBlock && (input.reprise_binding < kFirstPreviousBinding || input.reprise_binding > 64)))
-      return inconsistent("the previous input '" + input.name + "' has a size or binding out of range");
-  for (std::size_t i = 0; i < recipe.passes.size(); ++i) {
-    REPRISE_TRY(checkPass(package, recipe, recipe.passes[i]));
-    if (i > 0 && recipe.passes[i].rendering == recipe.passes[i - 1].rendering && recipe.passes[i].colors != recipe.passes[i - 1].colors)
-      return inconsistent("passes of one rendering have different attachments");
+    if (resource.name.empty() || !names.insert(resource.name).second) return inconsistent("the name '" + resource.name + "' stands for no one resource");
   }
-  return {};
+  REPRISE_TRY(checkPreviousInputs(recipe));
+  return checkPasses(package, recipe);
 }
 
 }  // namespace

@@ -1,9 +1,8 @@
 // The package on disk: manifest.json with a hash of its own body, modules beside it.
-#include <nlohmann/json.hpp>
-
 #include "runtime/base/file.h"
 #include "runtime/base/hash.h"
 #include "runtime/package/json.h"
+#include "runtime/package/json_values.h"
 #include "runtime/package/package.h"
 
 namespace reprise {
@@ -12,6 +11,8 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kManifest = "manifest.json";
+constexpr std::uint32_t kSpirvMagic = 0x07230203;
+constexpr std::size_t kSpirvHeaderWords = 5;
 
 Error manifestError(const std::filesystem::path& file, const std::string& code, const std::string& message) {
   return {ErrorKind::kInput, code, message, {file.string(), 0, 0}};
@@ -19,14 +20,16 @@ Error manifestError(const std::filesystem::path& file, const std::string& code, 
 
 Result<void> readModules(const Recipe& recipe, const std::filesystem::path& directory, Package& package) {
   for (const ModuleEntry& entry : recipe.modules) {
-    if (package.modules.count(entry.name) != 0) continue;
-    if (entry.name.empty() || entry.name.find('/') != std::string::npos || entry.name.front() == '.')
+    if (entry.name.empty() || entry.name.find_first_of("/\\") != std::string::npos || entry.name.front() == '.')
       return manifestError(directory / kManifest, "package.inconsistent", "'" + entry.name + "' is no module name");
     const std::filesystem::path file = directory / (entry.name + ".spv");
+    // Both recipes may name the module, each with a hash of its own.
     REPRISE_ASSIGN(std::vector<std::uint32_t> words, readWords(file));
     if (contentHash(bytesOf(words)) != entry.hash)
       return manifestError(file, "package.tampered",
                            "the module is not the one that the manifest names; run the optimizer again to make a sound package");
+    if (words.size() < kSpirvHeaderWords || words.front() != kSpirvMagic)
+      return manifestError(file, "package.inconsistent", "the file is no SPIR-V module");
     package.modules[entry.name] = std::move(words);
   }
   return {};
@@ -40,8 +43,8 @@ Result<void> writePackageFiles(const Package& package, const std::filesystem::pa
   json body = {{"format_version", kRecipeFormatVersion}, {"tool_version", package.tool_version},
                {"interface", interfaceJson(package.interface)}, {"original", recipeJson(package.original)},
                {"variant", recipeJson(package.variant)}};
-  const std::string hash = contentHash(body.dump());
-  return writeFile(directory / kManifest, json{{"hash", hash}, {"package", std::move(body)}}.dump(2) + "\n");
+  const std::string hash = contentHash(jsonText(body));
+  return writeFile(directory / kManifest, jsonText(json{{"hash", hash}, {"package", std::move(body)}}, 2) + "\n");
 }
 
 Result<Package> readPackage(const std::filesystem::path& directory) {
@@ -52,15 +55,15 @@ Result<Package> readPackage(const std::filesystem::path& directory) {
   REPRISE_ASSIGN(const std::string text, readFile(file));
   Package package;
   try {
-    const json document = json::parse(text);
+    const json document = parseJson(text);
     const json& body = document.at("package");
-    const int version = body.at("format_version");
+    const int version = integerAt<int>(body, "format_version");
     if (version > kRecipeFormatVersion)
       return manifestError(file, "package.version", "the package has format " + std::to_string(version) +
                                                         "; this version of Reprise reads up to " + std::to_string(kRecipeFormatVersion));
-    if (document.at("hash") != contentHash(body.dump()))
+    if (document.at("hash") != contentHash(jsonText(body)))
       return manifestError(file, "package.tampered", "the manifest was changed after it was written; run the optimizer again");
-    package.tool_version = body.at("tool_version");
+    package.tool_version = textAt(body, "tool_version");
     package.interface = interfaceFrom(body.at("interface"));
     package.original = recipeFrom(body.at("original"));
     package.variant = recipeFrom(body.at("variant"));

@@ -21,7 +21,8 @@ std::uint32_t hashBlock(std::uint32_t x, std::uint32_t y) {
 
 std::uint32_t refreshGroup(PatternKind kind, std::uint32_t x, std::uint32_t y, std::uint32_t period_frames,
                            std::uint32_t block, std::uint32_t width, std::uint32_t height) {
-  REPRISE_CHECK(std::has_single_bit(period_frames) && std::has_single_bit(block) && block >= 2, period_frames, block);
+  REPRISE_CHECK(std::has_single_bit(period_frames) && std::has_single_bit(block) && block >= 2 && width > 0 && height > 0, period_frames, block,
+                width, height);
   const std::uint32_t block_x = x / block, block_y = y / block;
   if (kind == PatternKind::kRandom) return hashBlock(block_x, block_y) & (period_frames - 1);
   const int bits = std::countr_zero(period_frames);

@@ -49,7 +49,7 @@ std::uint32_t UniformRegion::drawBlockBytes(const Recipe& recipe) {
   std::uint32_t bytes = kPushConstantOffset;
   for (const PreviousInput& input : recipe.previous_inputs)
     if (input.source == PreviousSource::kPushConstants) bytes += input.size_bytes;
-  return bytes;
+  return static_cast<std::uint32_t>(aligned(bytes, 16));
 }
 
 Result<void> UniformRegion::reserve(const DeviceView& device, const Recipe& recipe, std::size_t draws, VkDeviceSize alignment) {

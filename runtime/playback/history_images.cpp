@@ -43,19 +43,24 @@ Result<ImagesByName> createResourceImages(const DeviceView& device, const Recipe
   return images;
 }
 
-void transition(const DeviceView& device, VkCommandBuffer commands, TrackedImage& image, VkImageLayout layout, bool discard) {
-  if (image.layout == layout && !discard) return;
-  const Usage before = usageOf(image.layout), after = usageOf(layout);
+void transition(const DeviceView& device, VkCommandBuffer commands, TrackedImage& image, const ImageChange& change) {
+  if (image.layout == change.layout && !change.discard) return;
+  Usage before = usageOf(image.layout), after = usageOf(change.layout);
+  if (image.layout == VK_IMAGE_LAYOUT_UNDEFINED) before.access = 0;
+  if (change.without_dependency) {
+    before = {VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, 0};
+    after = {VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, 0};
+  }
   VkImageMemoryBarrier barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER};
-  barrier.srcAccessMask = image.layout == VK_IMAGE_LAYOUT_UNDEFINED ? 0 : before.access;
+  barrier.srcAccessMask = before.access;
   barrier.dstAccessMask = after.access;
-  barrier.oldLayout = discard ? VK_IMAGE_LAYOUT_UNDEFINED : image.layout;
-  barrier.newLayout = layout;
+  barrier.oldLayout = change.discard ? VK_IMAGE_LAYOUT_UNDEFINED : image.layout;
+  barrier.newLayout = change.layout;
   barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   barrier.image = image.image.image.get();
   barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
   device.fn.vkCmdPipelineBarrier(commands, before.stages, after.stages, 0, 0, nullptr, 0, nullptr, 1, &barrier);
-  image.layout = layout;
+  image.layout = change.layout;
 }
 
 }  // namespace reprise

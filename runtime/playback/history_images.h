@@ -30,8 +30,14 @@ using ImagesByName = std::map<std::string, ResourceImages>;
 // Errors: device.memory, device.call.
 Result<ImagesByName> createResourceImages(const DeviceView& device, const Recipe& recipe, VkExtent2D extent);
 
+struct ImageChange {
+  VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+  bool discard = false;            // drops the content
+  bool without_dependency = false; // for the test that shows that validation notices
+};
+
 // Brings an image into a layout with the dependencies that frames need: fragment reads and transfers before, or colour writes
-// before; `discard` drops the content. No barrier where nothing changes.
-void transition(const DeviceView& device, VkCommandBuffer commands, TrackedImage& image, VkImageLayout layout, bool discard);
+// before. No barrier where nothing changes.
+void transition(const DeviceView& device, VkCommandBuffer commands, TrackedImage& image, const ImageChange& change);
 
 }  // namespace reprise

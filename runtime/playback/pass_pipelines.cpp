@@ -65,8 +65,10 @@ Result<void> createLayouts(const DeviceView& device, const Recipe& recipe, const
   return {};
 }
 
-VkPipelineDepthStencilStateCreateInfo depthState(const VkPipelineDepthStencilStateCreateInfo& application, const Pass& pass) {
-  VkPipelineDepthStencilStateCreateInfo state = application;
+VkPipelineDepthStencilStateCreateInfo depthState(const ApplicationPipeline& application, const Pass& pass) {
+  VkPipelineDepthStencilStateCreateInfo state{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
+  if (application.depth_format == VK_FORMAT_UNDEFINED) return state;
+  if (application.create_info->pDepthStencilState != nullptr) state = *application.create_info->pDepthStencilState;
   state.pNext = nullptr;
   if (pass.depth == DepthUse::kEqualNoWrite) {
     state.depthCompareOp = VK_COMPARE_OP_EQUAL;
@@ -143,7 +145,7 @@ Result<Handle<VkPipeline>> createPipeline(const DeviceView& device, const Packag
   VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
   dynamic.dynamicStateCount = 2;
   dynamic.pDynamicStates = dynamic_states;
-  const VkPipelineDepthStencilStateCreateInfo depth = depthState(*application.create_info->pDepthStencilState, pass);
+  const VkPipelineDepthStencilStateCreateInfo depth = depthState(application, pass);
   VkGraphicsPipelineCreateInfo create = *application.create_info;
   create.pNext = &rendering;
   create.stageCount = static_cast<std::uint32_t>(stages.size());
@@ -174,31 +176,6 @@ std::vector<VkFormat> attachmentFormats(const Recipe& recipe, const Pass& pass, 
                                                : vulkanFormat(resourceOf(recipe, color.resource).format);
   }
   return formats;
-}
-
-std::string missingRequirement(const DeviceView& device, const Recipe& recipe, const ApplicationPipeline& application) {
-  const VkPipelineDepthStencilStateCreateInfo* depth = application.create_info->pDepthStencilState;
-  if (depth == nullptr || depth->depthTestEnable == VK_FALSE || depth->depthWriteEnable == VK_FALSE)
-    return recipe.uses_reprise_set ? "the pipeline does not test and write depth" : "";
-  const bool strict = depth->depthCompareOp == VK_COMPARE_OP_LESS || depth->depthCompareOp == VK_COMPARE_OP_GREATER;
-  if (recipe.requirements.depth_less_or_greater && !strict) return "the strategy needs a LESS or GREATER depth test";
-  if (recipe.requirements.stencil && !hasStencil(application.depth_format)) return "the strategy needs a depth target with stencil";
-  VkPhysicalDeviceProperties properties;
-  device.fn.vkGetPhysicalDeviceProperties(device.physical_device, &properties);
-  if (static_cast<std::uint32_t>(recipe.requirements.color_attachments) > properties.limits.maxColorAttachments)
-    return "the device has only " + std::to_string(properties.limits.maxColorAttachments) + " colour attachments";
-  if (recipe.uses_reprise_set && recipe.reprise_set >= properties.limits.maxBoundDescriptorSets) return "the device has no free descriptor set";
-  if (recipe.uses_reprise_set && application.set_layouts.size() > recipe.reprise_set)
-    return "descriptor set " + std::to_string(recipe.reprise_set) + " is taken by the application";
-  for (const Resource& resource : recipe.resources) {
-    VkFormatProperties format;
-    device.fn.vkGetPhysicalDeviceFormatProperties(device.physical_device, vulkanFormat(resource.format), &format);
-    VkFormatFeatureFlags wanted = VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT;
-    if (recipe.requirements.linear_filter_float && resource.lifetime == Lifetime::kHistory)
-      wanted |= VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
-    if ((format.optimalTilingFeatures & wanted) != wanted) return std::string("the device cannot render to and filter ") + nameOf(resource.format);
-  }
-  return "";
 }
 
 Result<PassPipelines> createPipelines(const DeviceView& device, const Package& package, const Recipe& recipe,

@@ -22,7 +22,4 @@ Result<PassPipelines> createPipelines(const DeviceView& device, const Package& p
 // Attachment formats of a pass, by output location; VK_FORMAT_UNDEFINED where nothing is attached.
 std::vector<VkFormat> attachmentFormats(const Recipe& recipe, const Pass& pass, const ApplicationPipeline& application);
 
-// Why the recipe cannot be played here; empty if it can.
-std::string missingRequirement(const DeviceView& device, const Recipe& recipe, const ApplicationPipeline& application);
-
 }  // namespace reprise

@@ -5,9 +5,10 @@
 #include <set>
 
 #include "runtime/playback/draw_uniforms.h"
-#include "runtime/playback/formats.h"
+#include "runtime/playback/frame_rendering.h"
 #include "runtime/playback/history_images.h"
 #include "runtime/playback/pass_pipelines.h"
+#include "runtime/playback/requirements.h"
 
 namespace reprise {
 namespace {
@@ -22,6 +23,8 @@ Result<Handle<VkSampler>> createSampler(const DeviceView& device, VkFilter filte
   REPRISE_VK(device.fn.vkCreateSampler(device.device, &create, nullptr, &sampler));
   return Handle<VkSampler>(device.device, sampler, device.fn.vkDestroySampler);
 }
+
+constexpr std::uint32_t kMostReadBindings = 14;  // bindings 2 to 15
 
 // What one frame in flight owns: uniform memory and a descriptor set for each pass.
 struct FrameSlot {
@@ -57,7 +60,6 @@ struct Player::State {
   Result<void> writeUniforms(const FrameInputs& inputs, FrameSlot& slot);
   void updateSets(FrameSlot& slot);
   void prepareImages(VkCommandBuffer commands, const Pass& pass, bool first_use_of_frame, std::set<std::string>& written);
-  void beginRendering(VkCommandBuffer commands, const FrameInputs& inputs, const Pass& pass, std::set<int>& used_targets, bool depth_used);
 };
 
 namespace {
@@ -91,6 +93,12 @@ class RecordingPass final : public PassContext {
   Parts parts_;
 };
 
+// "texture albedo" is named by itself and by "albedo", "Scene.light" also by its block "Scene" and its member "light".
+bool namesInput(const std::string& listed, const std::string& input) {
+  const std::string name = listed.substr(listed.find(' ') + 1);
+  return listed == input || name == input || name.starts_with(input + ".") || name.ends_with("." + input);
+}
+
 void appDependency(const DeviceView& device, VkCommandBuffer commands) {
   constexpr VkPipelineStageFlags kStages = VK_PIPELINE_STAGE_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_LATE_FRAGMENT_TESTS_BIT |
                                            VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT;
@@ -110,6 +118,8 @@ Player::~Player() = default;
 
 Result<Player> Player::create(const DeviceHandles& handles, const Package& package, const ApplicationPipeline& pipeline,
                               const PlayerOptions& options) {
+  REPRISE_TRY(checkPackage(package));
+  REPRISE_TRY(checkApplication(package, pipeline));
   auto state = std::make_unique<State>();
   REPRISE_ASSIGN(state->device, viewDevice({handles.instance, handles.device, handles.get_instance_proc_addr, handles.get_device_proc_addr},
                                            handles.physical_device));
@@ -136,7 +146,7 @@ Result<void> Player::State::createDescriptors() {
   const VkDescriptorPoolSize sizes[] = {
       {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, sets},
       {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, sets * static_cast<std::uint32_t>(1 + recipe->previous_inputs.size())},
-      {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, sets * 8}};
+      {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, sets * kMostReadBindings}};
   VkDescriptorPoolCreateInfo create{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
   create.maxSets = sets;
   create.poolSizeCount = 3;
@@ -202,7 +212,7 @@ void Player::State::updateSets(FrameSlot& slot) {
     std::vector<VkDescriptorImageInfo> image_infos;
     std::vector<VkWriteDescriptorSet> writes;
     buffers.reserve(recipe->previous_inputs.size() + 2);
-    image_infos.reserve(recipe->passes.size() * 8);
+    image_infos.reserve(kMostReadBindings);
     const auto add = [&](std::uint32_t binding, VkDescriptorType type) -> VkWriteDescriptorSet& {
       VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
       write.dstSet = slot.sets[pass];
@@ -238,69 +248,26 @@ void Player::State::updateSets(FrameSlot& slot) {
 }
 
 void Player::State::prepareImages(VkCommandBuffer commands, const Pass& pass, bool first_rendering, std::set<std::string>& written) {
-  if (!first_rendering && !options.omit_barrier_for_test) appDependency(device, commands);
+  const bool omit = !first_rendering && options.omit_barrier_for_test;
+  if (!first_rendering && !omit) appDependency(device, commands);
   for (const Read& read : pass.reads) {
     ResourceImages& resource = images.at(read.resource);
-    transition(device, commands, read.current ? resource.written(frame) : resource.last(frame), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, false);
+    transition(device, commands, read.current ? resource.written(frame) : resource.last(frame),
+               {VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, false, omit});
   }
   for (const ColorAttachment& color : pass.colors) {
     if (color.resource.empty()) continue;
-    TrackedImage& image = images.at(color.resource).written(frame);
-    transition(device, commands, image, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, written.count(color.resource) == 0);
+    const bool discard = color.load != LoadOp::kLoad && written.count(color.resource) == 0;
+    transition(device, commands, images.at(color.resource).written(frame), {VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, discard, omit});
+    written.insert(color.resource);
   }
-}
-
-void Player::State::beginRendering(VkCommandBuffer commands, const FrameInputs& inputs, const Pass& pass, std::set<int>& used_targets,
-                                   bool depth_used) {
-  std::vector<VkRenderingAttachmentInfo> colors;
-  for (const ColorAttachment& color : pass.colors) {
-    const auto location = static_cast<std::size_t>(color.location);
-    while (colors.size() <= location) colors.push_back({VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO});
-    VkRenderingAttachmentInfo& info = colors[location];
-    info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
-    if (color.resource.empty()) {
-      const ColorTarget& target = inputs.colors.at(static_cast<std::size_t>(color.app_target));
-      info.imageView = target.view;
-      info.imageLayout = target.layout;
-      info.loadOp = target.load || used_targets.count(color.app_target) != 0 ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR;
-      info.clearValue.color = target.clear;
-      used_targets.insert(color.app_target);
-    } else {
-      const ResourceImages& resource = images.at(color.resource);
-      info.imageView = images.at(color.resource).written(frame).image.view.get();
-      info.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-      info.loadOp = color.load == LoadOp::kClear ? VK_ATTACHMENT_LOAD_OP_CLEAR
-                    : color.load == LoadOp::kLoad ? VK_ATTACHMENT_LOAD_OP_LOAD
-                                                  : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
-      std::copy(resource.resource.clear.begin(), resource.resource.clear.end(), info.clearValue.color.float32);
-    }
-  }
-  VkRenderingAttachmentInfo depth{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
-  depth.imageView = inputs.depth.view;
-  depth.imageLayout = inputs.depth.layout;
-  depth.loadOp = depth_used || inputs.depth.load || !pass.depth_clear ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR;
-  depth.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
-  depth.clearValue.depthStencil = {inputs.depth.clear_depth, 0};
-  VkRenderingAttachmentInfo stencil = depth;
-  // Reprise's mark starts at 0 even where the application keeps its depth.
-  if (!depth_used) stencil.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
-  VkRenderingInfo rendering{VK_STRUCTURE_TYPE_RENDERING_INFO};
-  rendering.renderArea = {{0, 0}, inputs.extent};
-  rendering.layerCount = 1;
-  rendering.colorAttachmentCount = static_cast<std::uint32_t>(colors.size());
-  rendering.pColorAttachments = colors.data();
-  rendering.pDepthAttachment = &depth;
-  rendering.pStencilAttachment = hasStencil(application.depth_format) ? &stencil : nullptr;
-  device.fn.vkCmdBeginRendering(commands, &rendering);
-  device.fn.vkCmdSetViewport(commands, 0, 1, &inputs.viewport);
-  const VkRect2D scissor{{0, 0}, inputs.extent};
-  device.fn.vkCmdSetScissor(commands, 0, 1, &scissor);
 }
 
 Result<void> Player::record(VkCommandBuffer commands, const FrameInputs& inputs, const std::function<void(PassContext&)>& draw) {
   State& state = *state_;
   const DeviceView& device = state.device;
   const Recipe& recipe = *state.recipe;
+  REPRISE_TRY(checkFrame(state.application, inputs));
   REPRISE_TRY(state.resize(inputs.extent));
   FrameSlot& slot = state.slots[state.frame % state.slots.size()];
   if (recipe.uses_reprise_set) {
@@ -315,7 +282,7 @@ Result<void> Player::record(VkCommandBuffer commands, const FrameInputs& inputs,
   if (inputs.occlusion != VK_NULL_HANDLE) device.fn.vkCmdResetQueryPool(commands, inputs.occlusion, inputs.first_occlusion, pass_count);
 
   std::set<std::string> written;
-  std::set<int> used_targets;
+  RenderingParts parts{&inputs, &state.images, state.frame, state.application.depth_format, recipe.requirements.stencil, {}, false};
   for (std::uint32_t index = 0; index < pass_count; ++index) {
     const Pass& pass = recipe.passes[index];
     const bool begins = index == 0 || recipe.passes[index - 1].rendering != pass.rendering;
@@ -326,9 +293,7 @@ Result<void> Player::record(VkCommandBuffer commands, const FrameInputs& inputs,
       for (std::uint32_t other = index + 1; other < pass_count && recipe.passes[other].rendering == pass.rendering; ++other)
         all.reads.insert(all.reads.end(), recipe.passes[other].reads.begin(), recipe.passes[other].reads.end());
       state.prepareImages(commands, all, index == 0, written);
-      for (const ColorAttachment& color : pass.colors)
-        if (!color.resource.empty()) written.insert(color.resource);
-      state.beginRendering(commands, inputs, pass, used_targets, index != 0);
+      beginRendering(device, commands, pass, parts);
     }
     device.fn.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, state.pipelines.pipelines[index].get());
     if (inputs.occlusion != VK_NULL_HANDLE)
@@ -342,7 +307,7 @@ Result<void> Player::record(VkCommandBuffer commands, const FrameInputs& inputs,
       device.fn.vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, inputs.timestamps, inputs.first_query + index + 1);
   }
   for (auto& [name, resource] : state.images)
-    for (TrackedImage& image : resource.images) transition(device, commands, image, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, false);
+    for (TrackedImage& image : resource.images) transition(device, commands, image, {});
   state.previous_viewport = inputs.viewport;
   state.history_valid = true;
   ++state.frame;
@@ -353,10 +318,8 @@ void Player::invalidate() { state_->history_valid = false; }
 
 void Player::invalidate(const std::string& input) {
   for (const PayloadValue& value : state_->recipe->payload)
-    for (const std::string& name : value.inputs) {
-      const std::size_t space = name.find(' ');
-      if (name == input || name.substr(space + 1) == input) invalidate();
-    }
+    for (const std::string& name : value.inputs)
+      if (namesInput(name, input)) invalidate();
 }
 
 bool Player::playsOriginal() const { return state_->recipe == &state_->package.original || !state_->recipe->uses_reprise_set; }

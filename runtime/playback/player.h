@@ -104,7 +104,7 @@ class PassContext {
 struct PlayerOptions {
   std::uint32_t frames_in_flight = 2;
   bool force_original = false;
-  // Leaves out the dependency between rendering instances, so that a test can show that validation would notice.
+  // Leaves out the dependencies between rendering instances, so that a test can show that validation would notice.
   bool omit_barrier_for_test = false;
 };
 
@@ -119,19 +119,24 @@ struct ResourceImage {
 
 class Player {
  public:
+  // Errors: as checkPackage; player.pipeline (kInput: create_info lacks state, or has fewer colour formats than the shader has
+  // outputs); device.function, device.memory, device.call (kMachine).
   static Result<Player> create(const DeviceHandles& device, const Package& package,
                                const ApplicationPipeline& pipeline, const PlayerOptions& options = {});
   Player(Player&&) noexcept;
   Player& operator=(Player&&) noexcept;
   ~Player();  // the application has waited for the frames in flight
 
-  // Records one frame. Errors (kMachine): device memory for histories; (kInput): a block or push constants missing for a draw.
-  // A new extent makes new histories and invalidates.
+  // Records one frame. Errors (kMachine): device memory for histories; (kInput): player.input_missing (a block or push
+  // constants of a draw), player.draw_id (one id for two draws), player.extent, player.target_missing. Nothing is recorded
+  // then. A new extent makes new histories and invalidates; the viewport may change from frame to frame.
   Result<void> record(VkCommandBuffer commands, const FrameInputs& frame,
                       const std::function<void(PassContext&)>& draw);
 
   void invalidate();                          // cut: the next frame is all misses
-  void invalidate(const std::string& input);  // a changed light or texture: all misses if the payload depends on it
+  // A changed light or texture: all misses if the payload depends on it. `input` as PayloadValue::inputs spells it, or a
+  // block, member or texture name alone.
+  void invalidate(const std::string& input);
   bool playsOriginal() const;
   const std::string& originalReason() const;  // empty unless requirements were missing
   const Recipe& recipe() const;               // the one that is played

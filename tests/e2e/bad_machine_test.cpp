@@ -46,7 +46,7 @@ TEST(NoDevice, AnalyzeNeedsNone) {
 TEST(OutputFolder, IsAFileThatStaysAsItWas) {
   const SmallScenario scenario;
   writeText(scenario.output(), "somebody's notes");
-  expectRefusal(runCommand(optimizeSmall(scenario)), kExitBadInput, {scenario.output().filename(), "folder"});
+  expectRefusal(runCommand(optimizeSmall(scenario)), kExitBadInput, {scenario.output().filename(), "file"});
   EXPECT_EQ(textOf(scenario.output()), "somebody's notes");
 }
 

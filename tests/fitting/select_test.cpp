@@ -124,9 +124,16 @@ RC_GTEST_PROP(Select, ParetoFrontHoldsExactlyTheUnbeaten, ()) {
   const Selection selection = select(input, {.threshold = 0.05}).value();
   const std::vector<PlainPoint> points = allPoints(input);
   RC_ASSERT(selection.points.size() == points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    RC_ASSERT(selection.points[i].period_frames == points[i].period_frames);
+    RC_ASSERT(std::abs(selection.points[i].predicted_error - points[i].error) < 1e-12);
+    RC_ASSERT(std::abs(selection.points[i].predicted_frame_ms - points[i].frame_ms) < 1e-9);
+  }
+  // By the numbers reported: points that differ by rounding only must not be judged by other roundings.
   const auto isBeaten = [&](double error, double frame_ms) {
-    return std::any_of(points.begin(), points.end(), [&](const PlainPoint& other) {
-      return other.error <= error && other.frame_ms <= frame_ms && (other.error < error || other.frame_ms < frame_ms);
+    return std::any_of(selection.points.begin(), selection.points.end(), [&](const TradeoffPoint& other) {
+      return other.predicted_error <= error && other.predicted_frame_ms <= frame_ms &&
+             (other.predicted_error < error || other.predicted_frame_ms < frame_ms);
     });
   };
   std::size_t unbeaten = 0;

@@ -38,17 +38,16 @@ TEST(Flip, EqualsADirectEvaluationOfThePaper) {
   EXPECT_NEAR(flip(waves(false), waves(true), fullMask(kWidth, kHeight)), 0.379814, 2e-4);
 }
 
-TEST(Flip, AveragesOverTheMaskOnly) {
-  CoverageMask left = fullMask(kWidth, kHeight);
-  for (int i = 0; i < kWidth * kHeight; ++i) left.kind[i] = i % kWidth < 12;
-  EXPECT_NEAR(flip(waves(false), waves(true), left), 0.212879, 2e-4);
-  CoverageMask corner = fullMask(kWidth, kHeight), middle = corner;
+// Outside the mask both images show the original there, also to the filters.
+TEST(Flip, AveragesOverTheMaskAndTakesTheOriginalOutsideIt) {
+  CoverageMask left = fullMask(kWidth, kHeight), rectangle = left;
   for (int i = 0; i < kWidth * kHeight; ++i) {
-    corner.kind[i] = i == 0;
-    middle.kind[i] = i == 8 * kWidth + 13;
+    const int x = i % kWidth, y = i / kWidth;
+    left.kind[i] = x < 12;
+    rectangle.kind[i] = x >= 8 && x < 16 && y >= 4 && y < 10;
   }
-  EXPECT_NEAR(flip(waves(false), waves(true), corner), 0.203504, 5e-4);
-  EXPECT_NEAR(flip(waves(false), waves(true), middle), 0.931529, 5e-4);
+  EXPECT_NEAR(flip(waves(false), waves(true), left), 0.191904, 2e-4);
+  EXPECT_NEAR(flip(waves(false), waves(true), rectangle), 0.596349, 2e-4);
 }
 
 TEST(Flip, OfBlackAndWhiteIsNearlyOne) {

@@ -47,9 +47,7 @@ RC_GTEST_PROP(Metrics, AreZeroForIdenticalImages, ()) {
   const DisplayImage image = withNoise(smoothImage(width, height), 0.25f, seed);
   const CoverageMask mask = randomMask(width, height, seed);
   for (const Metric& metric : metrics()) {
-    const double value = evaluateAfterEqualFrame(metric, image, image, mask);
-    RC_ASSERT(std::abs(value) < 1e-6);
-    if (metric.name != "ssim") RC_ASSERT(value == 0.0);
+    RC_ASSERT(evaluateAfterEqualFrame(metric, image, image, mask) == 0.0);
   }
 }
 
@@ -63,7 +61,7 @@ RC_GTEST_PROP(Metrics, LieInTheUnitInterval, ()) {
   const CoverageMask mask = randomMask(width, height, seed);
   for (const Metric& metric : metrics()) {
     const double value = metric.evaluate({&a, &b, &c, &d, &mask});
-    RC_ASSERT(value > 0.0);
+    RC_ASSERT(value >= 0.0);
     RC_ASSERT(value <= 1.0);
   }
 }
@@ -82,8 +80,13 @@ TEST(Metrics, GrowWithNoise) {
 }
 
 TEST(Metrics, AreSymmetric) {
-  const DisplayImage a = smoothImage(33, 21), b = withNoise(a, 0.2f, 3);
+  // What is not covered is the same in both, as it is in frames of the original and of a variant.
+  const DisplayImage a = smoothImage(33, 21);
+  DisplayImage b = withNoise(a, 0.2f, 3);
   const CoverageMask mask = randomMask(33, 21, 5);
+  for (std::size_t i = 0; i < b.rgb.size(); ++i) {
+    if (!mask.kind[i / 3]) b.rgb[i] = a.rgb[i];
+  }
   for (const Metric& metric : metrics()) {
     EXPECT_NEAR(evaluateAfterEqualFrame(metric, a, b, mask), metric.evaluate({&b, &a, &a, &a, &mask}), 1e-6)
         << metric.name;
@@ -214,9 +217,10 @@ TEST(Flip, OfFlatImagesIsTheirRedistributedColorDistance) {
   for (std::size_t i = 0; i < green.rgb.size(); i += 3) green.rgb[i + 1] = blue.rgb[i + 2] = 1;
   EXPECT_NEAR(evaluate("flip", green, blue, mask), 1, 1e-4);
 
-  // sRGB 0.5 is Y = 0.214041, L* = 53.3890; 0.6 is Y = 0.318547, L* = 63.2226. Largest distance of the space: 308.2.
+  // sRGB 0.5 is Y = 0.214041, L* = 53.3890; 0.6 is Y = 0.318547, L* = 63.2226. Green and blue, the largest distance of
+  // the space after the Hunt adjustment, lie 203.3 apart.
   const double distance = std::pow(63.2226 - 53.3890, 0.7);
-  const double largest = std::pow(308.2, 0.7);
+  const double largest = std::pow(203.3, 0.7);
   EXPECT_NEAR(evaluate("flip", flatImage(24, 24, 0.5f), flatImage(24, 24, 0.6f), mask),
               0.95 * distance / (0.4 * largest), 1e-3);
 }

@@ -1,0 +1,193 @@
+// Jobs on the first device: what they measure, and that they measure the same again (laws 1, 4, 8 and 9).
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "profiler/metrics/metrics.h"
+#include "tests/session/measured_scene.h"
+
+namespace reprise {
+namespace {
+
+Result<JobResult> run(const Job& job) { return runJob(job, {}); }
+
+void expectNoError(const ErrorRow& row) {
+  ASSERT_FALSE(row.errors.empty()) << "frame " << row.frame;
+  for (const auto& [metric, value] : row.errors) EXPECT_EQ(value, 0) << metric << ", frame " << row.frame;
+}
+
+class EveryOutput : public testing::TestWithParam<const char*> {};
+
+TEST_P(EveryOutput, OriginalAgainstItselfHasNoError) {
+  const MeasuredScene scene(GetParam());
+  Job job = scene.job(JobKind::kErrors, {scene.original(), 1});
+  job.metrics = {"ssim", "flip"};
+  job.frames = 4;
+  job.width = 160;
+  job.height = 90;
+  const Result<JobResult> result = run(job);
+  ASSERT_TRUE(result.ok()) << formatError(result.error());
+  ASSERT_EQ(result->errors.size(), 1u);
+  ASSERT_EQ(result->errors[0].size(), 4u);
+  for (int frame = 0; frame < 4; ++frame) {
+    const ErrorRow& row = result->errors[0][static_cast<std::size_t>(frame)];
+    EXPECT_EQ(row.frame, frame);
+    EXPECT_GT(row.covered, 160u * 90 / 20);
+    EXPECT_LE(row.covered, 160u * 90);
+    EXPECT_EQ(row.misses, row.covered);
+    EXPECT_EQ(row.nonfinite, 0u);
+    EXPECT_EQ(row.errors.size(), metrics().size());
+    expectNoError(row);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shaders, EveryOutput,
+                         testing::Values("shaders/marble/marble.toml", "shaders/laws/textures/textures.toml",
+                                         "shaders/laws/several_outputs/several_outputs.toml"));
+
+class MeasuredVariant : public testing::Test {
+ protected:
+  Job errors(std::uint32_t period_frames) const {
+    Job job = scene_.job(JobKind::kErrors, {variant_, period_frames});
+    job.frames = 6;
+    return job;
+  }
+
+  MeasuredScene scene_{"shaders/laws/straight_line/straight_line.toml"};
+  std::string variant_ = scene_.variant("two_pass", countingVariant());
+};
+
+TEST_F(MeasuredVariant, BooksBalanceAndTheFirstFrameIsAllMisses) {
+  const Result<JobResult> result = run(errors(4));
+  ASSERT_TRUE(result.ok()) << formatError(result.error());
+  std::uint64_t hits = 0;
+  double largest = 0;
+  for (const ErrorRow& row : result->errors.at(0)) {
+    EXPECT_EQ(row.covered, row.hits + row.misses);
+    EXPECT_GE(row.shaded_hits, row.hits);
+    EXPECT_GE(row.shaded_misses, row.misses);
+    hits += row.hits;
+    largest = std::max(largest, row.errors.at("rms"));
+  }
+  EXPECT_EQ(result->errors[0][0].hits, 0u);
+  expectNoError(result->errors[0][0]);
+  EXPECT_GT(hits, 0u);
+  EXPECT_GT(largest, 0) << "a variant that reuses values under motion differs from the original";
+}
+
+TEST_F(MeasuredVariant, AlwaysRefreshHasNoErrorAndNoHit) {
+  const Result<JobResult> result = run(errors(1));
+  ASSERT_TRUE(result.ok()) << formatError(result.error());
+  for (const ErrorRow& row : result->errors.at(0)) {
+    EXPECT_EQ(row.hits, 0u);
+    expectNoError(row);
+  }
+}
+
+TEST_F(MeasuredVariant, RowsAreTheSameFromRunToRunAndAShorterRunIsAPrefix) {
+  const Result<JobResult> once = run(errors(4)), again = run(errors(4));
+  Job shorter = errors(4);
+  shorter.frames = 3;
+  const Result<JobResult> prefix = run(shorter);
+  ASSERT_TRUE(once.ok() && again.ok() && prefix.ok());
+  EXPECT_EQ(once->errors, again->errors);
+  const std::vector<ErrorRow> expected(once->errors[0].begin(), once->errors[0].begin() + 3);
+  EXPECT_EQ(prefix->errors[0], expected);
+}
+
+TEST_F(MeasuredVariant, EntriesDoNotDisturbOneAnother) {
+  Job together = errors(4);
+  together.entries = {{variant_, 2}, {scene_.original(), 1}, {variant_, 4}, {variant_, 2}};
+  const Result<JobResult> all = run(together), alone = run(errors(4));
+  ASSERT_TRUE(all.ok() && alone.ok());
+  EXPECT_EQ(all->errors.at(2), alone->errors.at(0));
+  EXPECT_EQ(all->errors.at(0), all->errors.at(3));
+  EXPECT_NE(all->errors.at(0), all->errors.at(2));
+}
+
+// Entries that do not fit into memory at once are played in batches; 64 MB of histories each, and more than one batch.
+TEST_F(MeasuredVariant, BatchesChangeNoRow) {
+  Job job = errors(4);
+  job.frames = 2;
+  job.width = 1280;
+  job.height = 720;
+  const Result<JobResult> alone = run(job);
+  job.entries.assign(12, {variant_, 4});
+  int last_total = 0;
+  const Result<JobResult> many = runJob(job, [&](const JobProgress& progress) { last_total = progress.total; });
+  ASSERT_TRUE(alone.ok() && many.ok());
+  EXPECT_GT(last_total, 2) << "all entries went into one batch, so this test says nothing";
+  for (const std::vector<ErrorRow>& rows : many->errors) EXPECT_EQ(rows, alone->errors.at(0));
+}
+
+TEST_F(MeasuredVariant, TimesHaveARowForEveryEntryAndRound) {
+  VariantOptions options = countingVariant();
+  options.instrumented = false;
+  Job job = scene_.job(JobKind::kTimes, {scene_.original(), 1});
+  job.entries.push_back({scene_.variant("timed", options), 4});
+  job.rounds = 5;
+  job.warmup_frames = 2;
+  job.run_id = "this run";
+  const Result<JobResult> result = run(job);
+  ASSERT_TRUE(result.ok()) << formatError(result.error());
+  EXPECT_FALSE(result->device.empty());
+  EXPECT_FALSE(result->driver.empty());
+  ASSERT_EQ(result->times.size(), 2u);
+  for (const std::vector<TimeRow>& rows : result->times) {
+    ASSERT_EQ(rows.size(), 5u);
+    for (int round = 0; round < 5; ++round) {
+      const TimeRow& row = rows[static_cast<std::size_t>(round)];
+      EXPECT_EQ(row.run_id, "this run");
+      EXPECT_EQ(row.pair, round);
+      EXPECT_EQ(row.frame, round + 2);
+      EXPECT_GT(row.wall_ms, 0);
+      EXPECT_GT(row.cpu_ms, 0);
+      EXPECT_LE(row.gpu_ms, row.wall_ms);
+    }
+  }
+}
+
+TEST_F(MeasuredVariant, ProbeFindsTheRangesOfPayloadAndDepth) {
+  VariantOptions options = countingVariant();
+  options.strategy = "branch";
+  options.encoding = Encoding::kRgba32f;
+  options.instrumented = false;
+  const Job job = scene_.job(JobKind::kProbe, {scene_.variant("probed", options), 1});
+  const Result<JobResult> result = run(job);
+  ASSERT_TRUE(result.ok()) << formatError(result.error());
+  ASSERT_EQ(result->probes.size(), 1u);
+  const ProbeResult& probe = result->probes[0];
+  EXPECT_GT(probe.covered, 0u);
+  EXPECT_EQ(probe.nonfinite_payload, 0u);
+  EXPECT_EQ(probe.nonfinite_color, 0u);
+  // base = 0.5 + 0.35 * sin(...), and the camera is 3.4 away from objects with a radius of about one.
+  for (int channel = 0; channel < 3; ++channel) {
+    EXPECT_GE(probe.payload_min[channel], 0.15f - 1e-5f);
+    EXPECT_LT(probe.payload_min[channel], 0.3f);
+    EXPECT_LE(probe.payload_max[channel], 0.85f + 1e-5f);
+    EXPECT_GT(probe.payload_max[channel], 0.7f);
+  }
+  EXPECT_GT(probe.depth_min, 1.0f);
+  EXPECT_LT(probe.depth_min, 3.4f);
+  EXPECT_GT(probe.depth_max, 3.4f);
+  EXPECT_LT(probe.depth_max, 6.0f);
+}
+
+TEST_F(MeasuredVariant, ImagesAreWritten) {
+  Job job = scene_.job(JobKind::kImages, {variant_, 4});
+  job.image_frame = 3;
+  job.image_dir = (scene_.folder() / "images").string();
+  const Result<JobResult> result = run(job);
+  ASSERT_TRUE(result.ok()) << formatError(result.error());
+  std::vector<std::string> names;
+  for (const std::string& file : result->images) {
+    EXPECT_GT(std::filesystem::file_size(file), 100u);
+    names.push_back(std::filesystem::path(file).filename().string());
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"original.png", "cached.png", "error.png", "hit_miss.png", "payload.png"}));
+  EXPECT_NE(textOf(result->images[0]), textOf(result->images[1]));
+}
+
+}  // namespace
+}  // namespace reprise
