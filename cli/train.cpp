@@ -52,8 +52,16 @@ class Trainer {
   std::vector<std::uint32_t> studyPeriods() const {
     std::vector<std::uint32_t> periods;
     for (const std::uint32_t period : subject_.scenario.periods)
-      if (period != 1) periods.push_back(period);
+      if (period != 1 && firstSettledFrame(period) < shortestSession()) periods.push_back(period);
     return periods;
+  }
+
+  // Periods whose settled frames lie beyond every session are left to the models and to validation.
+  int shortestSession() const {
+    int shortest = 1 << 30;
+    for (const SessionSpec& session : subject_.scenario.sessions)
+      if (session.role == SessionRole::kTraining) shortest = std::min(shortest, session.frames > 0 ? session.frames : subject_.scenario.frames);
+    return shortest;
   }
 
   Result<void> probe(const std::vector<std::size_t>& kept) {
@@ -329,11 +337,10 @@ class Trainer {
     alternative([](VariantOptions& options) { options.filter = Filter::kNearest; });
     alternative([](VariantOptions& options) { options.pattern = PatternKind::kTiled; });
     alternative([](VariantOptions& options) { options.pattern = PatternKind::kRandom; });
-    alternative([](VariantOptions& options) { options.encoding = Encoding::kRgba32f; });
     std::vector<std::uint32_t> periods;
     std::uint32_t longest = 2;
     for (const std::uint32_t period : studyPeriods()) longest = std::max(longest, period);
-    for (const std::uint32_t period : {best.period_frames, longest})
+    for (const std::uint32_t period : {std::min(best.period_frames, longest), longest})
       if (period != kNeverRefresh && std::find(periods.begin(), periods.end(), period) == periods.end()) periods.push_back(period);
     if (std::find(periods.begin(), periods.end(), 2u) == periods.end()) periods.insert(periods.begin(), 2u);
     REPRISE_TRY(measureStudies(first, periods));

@@ -75,11 +75,16 @@ Result<Module> removeDeadCode(const Module& module) {
 }
 
 Result<Module> stripForShipping(const Module& module) {
-  return runPasses(module, [](spvtools::Optimizer& optimizer) {
+  Module bare = module;
+  bare.debug_sources.clear();
+  for (Instruction& global : bare.globals) global.line = {};
+  for (Function& function : bare.functions)
+    for (Block& block : function.blocks)
+      for (Instruction& instruction : block.instructions) instruction.line = {};
+  return runPasses(bare, [](spvtools::Optimizer& optimizer) {
     optimizer.RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())
         .RegisterPass(spvtools::CreateAggressiveDCEPass(true))
         .RegisterPass(spvtools::CreateEliminateDeadConstantPass())
-        .RegisterPass(spvtools::CreateStripDebugInfoPass())
         .RegisterPass(spvtools::CreateCompactIdsPass());
   });
 }

@@ -16,7 +16,7 @@ Result<Module> promoteToSsa(const Module& module);
 // Code that no output, storage write or discard of any entry point needs is removed, with unused globals.
 Result<Module> removeDeadCode(const Module& module);
 
-// Names, lines and sources removed, ids made dense: the form that ships.
+// Lines and sources removed, ids made dense: the form that ships. Names stay, for the readable GLSL and for debuggers.
 Result<Module> stripForShipping(const Module& module);
 
 }  // namespace reprise

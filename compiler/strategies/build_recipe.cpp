@@ -96,6 +96,7 @@ class RecipeBuilder {
             {"CACHE_LOCATION", 0},
             {"COUNT_LOCATION", 0},
             {"CHANNELS", candidate_.channels},
+            {"NARROW", layout_.payload_format == ResourceFormat::kRg16Sfloat ? 1 : 0},
             {"DEPTH_IN_ALPHA", layout_.depth_in_alpha ? 1 : 0},
             {"AFFINE", layout_.affine ? 1 : 0},
             {"KEEP_RAW", strategy_.keeps_raw_payload ? 1 : 0},

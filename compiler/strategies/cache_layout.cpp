@@ -27,7 +27,7 @@ CacheLayout cacheLayout(int channels, Encoding encoding) {
       layout.affine = true;
       break;
     case Encoding::kRgba16f:
-      layout.payload_format = ResourceFormat::kRgba16Sfloat;
+      layout.payload_format = channels == 1 ? ResourceFormat::kRg16Sfloat : ResourceFormat::kRgba16Sfloat;
       layout.depth_in_alpha = channels <= 3;
       break;
     case Encoding::kRgba32f:

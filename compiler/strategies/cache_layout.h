@@ -1,7 +1,8 @@
 // Where payload and depth of a candidate lie in history images, and the constants that encode them.
 //
 // Depth goes into the payload's spare alpha where that is a float channel; beside 8-bit payloads and four-channel ones
-// it has an image of its own, since 8 bits of depth confuse surfaces (law 10).
+// it has an image of its own, since 8 bits of depth confuse surfaces (law 10). A single channel of 16 bits shares a two-channel image with its
+// depth: half the memory of the four-channel format, and less to convert per fetch and store.
 #pragma once
 
 #include <array>
@@ -18,7 +19,7 @@ struct ValueRanges {
 
 struct CacheLayout {
   ResourceFormat payload_format = ResourceFormat::kRgba16Sfloat;
-  bool depth_in_alpha = true;
+  bool depth_in_alpha = true;                                // in the last channel of the payload's image
   ResourceFormat depth_format = ResourceFormat::kR16Sfloat;  // where not in alpha
   bool affine = false;                                       // payload is scaled into [0, 1]
   int bytes_per_pixel = 8;                                   // of one history; two are held

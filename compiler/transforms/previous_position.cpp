@@ -185,17 +185,10 @@ std::uint32_t firstFreeLocation(const Module& module, StorageClass storage) {
   return free;
 }
 
+// On the variable, also where the position is a member of gl_PerVertex: some drivers do not take the decoration on members.
 void makePositionInvariant(Module& module, const PositionOutput& position) {
-  if (!position.member) {
-    if (!decorationOf(module, position.variable, spv::Decoration::Invariant))
-      addDecoration(module, position.variable, spv::Decoration::Invariant);
-    return;
-  }
-  const std::uint32_t block = pointeeOf(module, *findGlobal(module, position.variable));
-  if (memberDecorationOf(module, block, *position.member, spv::Decoration::Invariant)) return;
-  module.annotations.push_back(
-      makeInstruction(Op::OpMemberDecorate, 0, 0, {idOperand(block), literalOperand(*position.member),
-                                                   literalOperand(static_cast<std::uint32_t>(spv::Decoration::Invariant))}));
+  if (!decorationOf(module, position.variable, spv::Decoration::Invariant))
+    addDecoration(module, position.variable, spv::Decoration::Invariant);
 }
 
 }  // namespace

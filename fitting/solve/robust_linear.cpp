@@ -20,27 +20,28 @@ constexpr double kFirstScatter = 0.1;     // before residuals have shown it
 constexpr double kLeastScatter = 1e-6;    // exact rows: keeps the loss from having no width
 constexpr double kMadToSigma = 1.4826;
 
+// Which terms take part; the others' coefficients are held at 0.
+using TermSet = std::vector<int>;
+
 class RowResidual : public ceres::CostFunction {
  public:
-  RowResidual(const LinearRow& row, int term_count, double weight) : row_(row), weight_(weight) {
+  RowResidual(const LinearRow& row, const TermSet& terms, double weight) {
+    for (const int term : terms) terms_.push_back(row.terms[term] * weight);
+    observed_ = row.observed * weight;
     set_num_residuals(1);
-    mutable_parameter_block_sizes()->push_back(term_count);
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(terms.size()));
   }
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-    const int term_count = parameter_block_sizes()[0];
-    double predicted = 0;
-    for (int i = 0; i < term_count; ++i) predicted += row_.terms[i] * parameters[0][i];
-    residuals[0] = (predicted - row_.observed) * weight_;
-    if (jacobians && jacobians[0]) {
-      for (int i = 0; i < term_count; ++i) jacobians[0][i] = row_.terms[i] * weight_;
-    }
+    residuals[0] = -observed_;
+    for (std::size_t i = 0; i < terms_.size(); ++i) residuals[0] += terms_[i] * parameters[0][i];
+    if (jacobians && jacobians[0]) std::copy(terms_.begin(), terms_.end(), jacobians[0]);
     return true;
   }
 
  private:
-  const LinearRow row_;
-  const double weight_;
+  std::vector<double> terms_;
+  double observed_ = 0;
 };
 
 double predictRow(const LinearRow& row, const std::vector<double>& coefficients) {
@@ -54,16 +55,21 @@ double weightOf(const LinearRow& row, const std::vector<double>& coefficients) {
   return 1 / std::max(predictRow(row, coefficients), 0.05 * row.observed);
 }
 
-bool solveRound(std::span<const LinearRow> rows, double scatter, int max_iterations,
-                std::vector<double>* coefficients) {
+struct RoundSolution {
+  std::vector<double> coefficients;
+  double cost = std::numeric_limits<double>::infinity();
+  bool converged = false;
+};
+
+RoundSolution solveUnbounded(std::span<const LinearRow> rows, const TermSet& terms, const std::vector<double>& last,
+                             double scatter, int max_iterations) {
+  std::vector<double> values;
+  for (const int term : terms) values.push_back(last[term]);
   ceres::Problem problem;
-  const std::vector<double> last = *coefficients;
-  const int term_count = static_cast<int>(last.size());
   for (const LinearRow& row : rows) {
-    problem.AddResidualBlock(new RowResidual(row, term_count, weightOf(row, last)),
-                             new ceres::HuberLoss(kHuberBend * scatter), coefficients->data());
+    problem.AddResidualBlock(new RowResidual(row, terms, weightOf(row, last)),
+                             new ceres::HuberLoss(kHuberBend * scatter), values.data());
   }
-  for (int i = 0; i < term_count; ++i) problem.SetParameterLowerBound(coefficients->data(), i, 0);
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
@@ -74,7 +80,34 @@ bool solveRound(std::span<const LinearRow> rows, double scatter, int max_iterati
   ceres::Solver::Summary summary;
   silenceSolverLog();
   ceres::Solve(options, &problem, &summary);
-  return summary.termination_type == ceres::CONVERGENCE && std::isfinite(summary.final_cost);
+  RoundSolution solution{std::vector<double>(last.size(), 0.0), summary.final_cost, false};
+  for (std::size_t i = 0; i < terms.size(); ++i) solution.coefficients[terms[i]] = values[i];
+  solution.converged = summary.termination_type == ceres::CONVERGENCE && std::isfinite(summary.final_cost);
+  return solution;
+}
+
+bool hasNegative(const std::vector<double>& coefficients) {
+  return std::any_of(coefficients.begin(), coefficients.end(), [](double value) { return value < 0; });
+}
+
+// The problem is convex: an unbounded solution without negative coefficients is the bounded one, else the bounded one is the
+// best of those with some coefficients at 0. Ceres' own bounds stall where the optimum lies on them.
+RoundSolution solveRound(std::span<const LinearRow> rows, const std::vector<double>& last, double scatter,
+                         int max_iterations) {
+  const unsigned all = (1u << last.size()) - 1;
+  RoundSolution best;
+  best.coefficients = last;
+  for (unsigned members = all; members > 0; --members) {
+    TermSet terms;
+    for (int term = 0; term < static_cast<int>(last.size()); ++term) {
+      if (members & (1u << term)) terms.push_back(term);
+    }
+    RoundSolution solution = solveUnbounded(rows, terms, last, scatter, max_iterations);
+    if (!solution.converged || hasNegative(solution.coefficients)) continue;
+    if (solution.cost < best.cost) best = std::move(solution);
+    if (members == all) break;
+  }
+  return best;
 }
 
 double robustScatter(std::span<const LinearRow> rows, const std::vector<double>& coefficients) {
@@ -121,7 +154,9 @@ RobustLinearFit fitRobustLinear(std::span<const LinearRow> rows, int term_count,
   fit.scatter = kFirstScatter;
   for (int round = 0; round < kRounds; ++round) {
     const std::vector<double> last = fit.coefficients;
-    fit.converged = solveRound(rows, fit.scatter, max_iterations, &fit.coefficients);
+    RoundSolution solution = solveRound(rows, last, fit.scatter, max_iterations);
+    fit.coefficients = std::move(solution.coefficients);
+    fit.converged = solution.converged;
     if (!fit.converged) return fit;
     fit.scatter = robustScatter(rows, fit.coefficients);
     double change = 0;

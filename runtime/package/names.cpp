@@ -30,8 +30,9 @@ constexpr std::array<std::pair<Filter, const char*>, 2> kFilters = {
     {{Filter::kNearest, "nearest"}, {Filter::kBilinear, "bilinear"}}};
 constexpr std::array<std::pair<Encoding, const char*>, 3> kEncodings = {
     {{Encoding::kRgba8, "rgba8"}, {Encoding::kRgba16f, "rgba16f"}, {Encoding::kRgba32f, "rgba32f"}}};
-constexpr std::array<std::pair<ResourceFormat, const char*>, 6> kFormats = {
+constexpr std::array<std::pair<ResourceFormat, const char*>, 7> kFormats = {
     {{ResourceFormat::kRgba8Unorm, "rgba8_unorm"},
+     {ResourceFormat::kRg16Sfloat, "rg16_sfloat"},
      {ResourceFormat::kRgba16Sfloat, "rgba16_sfloat"},
      {ResourceFormat::kRgba32Sfloat, "rgba32_sfloat"},
      {ResourceFormat::kR8Unorm, "r8_unorm"},
@@ -52,6 +53,7 @@ std::optional<ResourceFormat> resourceFormatOf(const std::string& name) { return
 int bytesPerPixel(ResourceFormat format) {
   switch (format) {
     case ResourceFormat::kRgba8Unorm: return 4;
+    case ResourceFormat::kRg16Sfloat: return 4;
     case ResourceFormat::kRgba16Sfloat: return 8;
     case ResourceFormat::kRgba32Sfloat: return 16;
     case ResourceFormat::kR8Unorm: return 1;

@@ -53,7 +53,7 @@ struct FrameUniforms {
   std::uint32_t frame = 0;            // counts from 0
   std::uint32_t period_frames = 1;    // kNeverRefresh: never
   std::uint32_t history_valid = 0;    // 0 in frame 0 and after invalidate(): every pixel misses
-  std::uint32_t reserved = 0;
+  std::uint32_t columns_shift = 0;    // log2 of the columns of refresh groups: ceil(log2(period) / 2)
   float viewport[4] = {};             // x, y, width, signed height (pixels) of this frame
   float previous_viewport[4] = {};    // of the last frame
   float depth_range[4] = {};          // stored = depth * [0] + [1]; valid stored values lie in [2]..[3]
@@ -65,7 +65,7 @@ struct FrameUniforms {
 };
 static_assert(sizeof(FrameUniforms) == 16 * 9);
 
-enum class ResourceFormat { kRgba8Unorm, kRgba16Sfloat, kRgba32Sfloat, kR8Unorm, kR16Sfloat, kR32Sfloat };
+enum class ResourceFormat { kRgba8Unorm, kRg16Sfloat, kRgba16Sfloat, kRgba32Sfloat, kR8Unorm, kR16Sfloat, kR32Sfloat };
 const char* nameOf(ResourceFormat format);
 std::optional<ResourceFormat> resourceFormatOf(const std::string& name);
 int bytesPerPixel(ResourceFormat format);

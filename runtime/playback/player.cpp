@@ -1,6 +1,7 @@
 #include "runtime/playback/player.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <set>
 
@@ -187,6 +188,7 @@ FrameUniforms Player::State::uniformsOf(const FrameInputs& inputs) const {
   uniforms.frame = static_cast<std::uint32_t>(frame);
   uniforms.period_frames = inputs.period_frames;
   uniforms.history_valid = history_valid ? 1 : 0;
+  uniforms.columns_shift = static_cast<std::uint32_t>((std::bit_width(std::max(inputs.period_frames, 1u)) - 1 + 1) / 2);
   write(uniforms.viewport, inputs.viewport);
   write(uniforms.previous_viewport, history_valid ? previous_viewport : inputs.viewport);
   return uniforms;

@@ -95,8 +95,21 @@ Result<std::vector<VkPhysicalDevice>> physicalDevices(VkInstance instance) {
   return devices;
 }
 
+bool hasDynamicRendering(VkPhysicalDevice device) {
+  VkPhysicalDeviceVulkan13Features features13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
+  VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
+  features.pNext = &features13;
+  vkGetPhysicalDeviceFeatures2(device, &features);
+  return features13.dynamicRendering == VK_TRUE;
+}
+
+// Where none is usable, the first: creating it says what it lacks.
+int firstUsable(const std::vector<VkPhysicalDevice>& devices) {
+  const auto found = std::find_if(devices.begin(), devices.end(), hasDynamicRendering);
+  return found == devices.end() ? 0 : static_cast<int>(found - devices.begin());
+}
+
 Result<int> chooseDevice(const std::vector<DeviceSummary>& devices, const std::string& wanted) {
-  if (wanted.empty()) return 0;
   std::string known;
   for (const DeviceSummary& device : devices) {
     if (std::to_string(device.index) == wanted || device.name.find(wanted) != std::string::npos) return device.index;
@@ -200,7 +213,10 @@ Result<Context> Context::create(const ContextOptions& options) {
   REPRISE_ASSIGN(const std::vector<VkPhysicalDevice> devices, physicalDevices(state->instance));
   std::vector<DeviceSummary> summaries;
   for (std::size_t i = 0; i < devices.size(); ++i) summaries.push_back(summarize(devices[i], static_cast<int>(i)));
-  REPRISE_ASSIGN(const int chosen, chooseDevice(summaries, options.device));
+  int chosen = firstUsable(devices);
+  if (!options.device.empty()) {
+    REPRISE_ASSIGN(chosen, chooseDevice(summaries, options.device));
+  }
   const VkPhysicalDevice physical_device = devices[static_cast<std::size_t>(chosen)];
   state->summary = summaries[static_cast<std::size_t>(chosen)];
   const auto family = graphicsFamily(physical_device, state->has_timestamps);

@@ -3,6 +3,9 @@
 namespace reprise {
 
 Result<VulkanFunctions> loadFunctions(const FunctionSource& source) {
+  if (source.device == VK_NULL_HANDLE || source.get_instance_proc_addr == nullptr || source.get_device_proc_addr == nullptr)
+    return Error{ErrorKind::kMachine, "device.function",
+                 "no Vulkan device, or no vkGetInstanceProcAddr and vkGetDeviceProcAddr, was given", {}};
   VulkanFunctions functions;
   std::string missing;
 #define REPRISE_LOAD(name)                                                                                   \

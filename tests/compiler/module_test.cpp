@@ -88,7 +88,7 @@ TEST(Module, AnIdBoundBeyondTheLimitIsRefused) {
   EXPECT_EQ(module.error().code, "spirv.limit");
 }
 
-TEST(Module, StringsOperandsKeepTheirText) {
+TEST(Module, StringOperandsKeepTheirText) {
   for (const char* text : {"", "abc", "abcd", "a longer name"}) EXPECT_EQ(stringOf(stringOperand(text)), text);
 }
 

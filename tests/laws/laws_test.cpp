@@ -110,7 +110,9 @@ class Laws : public testing::TestWithParam<std::string> {
         if (played.kind[pixel] == 2) expectEqual(original, played, pixel, raw_tail ? toleranceOf(options.encoding) : 0);
         if (HasFatalFailure() || HasNonfatalFailure()) return frames;
       }
-      if (frame == 0) EXPECT_EQ(misses, covered) << "frame 0 is all misses";
+      if (frame == 0) {
+        EXPECT_EQ(misses, covered) << "frame 0 is all misses";
+      }
       EXPECT_GE(played.shaded_hits + played.shaded_misses, static_cast<double>(covered));
     }
     EXPECT_GT(hits, 0u) << "nothing ever hit, so the laws hold for nothing";

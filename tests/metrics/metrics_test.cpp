@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <set>
 
@@ -198,6 +199,23 @@ TEST(Ssim, OfFlatImagesIsItsLuminanceTerm) {
   const double a = 0.2, b = 0.6, c1 = 0.01 * 0.01;
   const double expected = 1 - (2 * a * b + c1) / (a * a + b * b + c1);
   EXPECT_NEAR(evaluate("ssim", flatImage(20, 20, 0.2f), flatImage(20, 20, 0.6f), fullMask(20, 20)), expected, 1e-4);
+}
+
+RC_GTEST_PROP(P95, EqualsTheSortedValueOfNearestRank, ()) {
+  const int width = *rc::gen::inRange(1, 60), height = *rc::gen::inRange(1, 60);
+  const auto seed = *rc::gen::inRange<std::uint32_t>(0, 1000);
+  const DisplayImage a = smoothImage(width, height), b = withNoise(a, 0.2f, seed);
+  const CoverageMask mask = randomMask(width, height, seed);
+  std::vector<double> differences;
+  for (std::size_t i = 0; i < mask.kind.size(); ++i) {
+    if (!mask.kind[i]) continue;
+    double sum = 0;
+    for (std::size_t k = 3 * i; k < 3 * i + 3; ++k) sum += std::abs(static_cast<double>(a.rgb[k]) - b.rgb[k]);
+    differences.push_back(sum / 3);
+  }
+  std::sort(differences.begin(), differences.end());
+  const auto rank = static_cast<std::size_t>(std::ceil(0.95 * static_cast<double>(differences.size()) - 1e-9));
+  RC_ASSERT(std::abs(evaluate("p95", a, b, mask) - differences[rank - 1]) < 1e-6);
 }
 
 TEST(P95, AveragesTheMagnitudesOfTheChannels) {

@@ -1,7 +1,15 @@
+// Conditions are computed one by one and joined afterwards: && of anything but variables is a branch in SPIR-V, and branches
+// cost more than comparisons where both sides run under a mask.
+//
 // How payload and depth lie in the history: encode, store, decode.
 //
 // Depth is view-linear (clip w, or z for orthographic cameras), mapped to [1/16, 1]; 0 is "nothing valid here".
+// NARROW: one channel of payload and the depth beside it, in a two-channel format.
+#if NARROW
+layout(location = CACHE_LOCATION) out vec2 reprise_cache;
+#else
 layout(location = CACHE_LOCATION) out vec4 reprise_cache;
+#endif
 #if !DEPTH_IN_ALPHA
 layout(location = CACHE_LOCATION + 1) out float reprise_cache_depth;
 #endif
@@ -19,17 +27,20 @@ float repriseViewDepth() {
 // False for NaN and infinity too. Only the channels that the payload has count.
 bool repriseStorable(vec4 encoded) {
   vec2 range = reprise.payload_range.xy;
-  bool storable = encoded.x >= range.x && encoded.x <= range.y;
-#if CHANNELS > 1
-  storable = storable && encoded.y >= range.x && encoded.y <= range.y;
+#if CHANNELS == 1
+  bool high_enough = encoded.x >= range.x;
+  bool low_enough = encoded.x <= range.y;
+#elif CHANNELS == 2
+  bool high_enough = all(greaterThanEqual(encoded.xy, range.xx));
+  bool low_enough = all(lessThanEqual(encoded.xy, range.yy));
+#elif CHANNELS == 3
+  bool high_enough = all(greaterThanEqual(encoded.xyz, range.xxx));
+  bool low_enough = all(lessThanEqual(encoded.xyz, range.yyy));
+#else
+  bool high_enough = all(greaterThanEqual(encoded, range.xxxx));
+  bool low_enough = all(lessThanEqual(encoded, range.yyyy));
 #endif
-#if CHANNELS > 2
-  storable = storable && encoded.z >= range.x && encoded.z <= range.y;
-#endif
-#if CHANNELS > 3
-  storable = storable && encoded.w >= range.x && encoded.w <= range.y;
-#endif
-  return storable;
+  return high_enough && low_enough;
 }
 
 vec4 repriseEncode(vec4 payload) {
@@ -52,12 +63,19 @@ vec4 repriseDecode(vec4 encoded) {
 void repriseStore(vec4 payload, bool valid) {
   vec4 encoded = repriseEncode(payload);
   float depth = repriseStoredDepth(repriseViewDepth());
-  valid = valid && repriseStorable(encoded) && depth >= reprise.depth_range.z && depth <= reprise.depth_range.w;
+  bool storable = repriseStorable(encoded);
+  bool far_enough = depth >= reprise.depth_range.z;
+  bool near_enough = depth <= reprise.depth_range.w;
+  valid = valid && storable;
+  valid = valid && far_enough;
+  valid = valid && near_enough;
 #if !KEEP_RAW
   encoded = valid ? encoded : vec4(0.0);
 #endif
   depth = valid ? depth : 0.0;
-#if DEPTH_IN_ALPHA
+#if NARROW
+  reprise_cache = vec2(encoded.x, depth);
+#elif DEPTH_IN_ALPHA
   reprise_cache = vec4(encoded.rgb, depth);
 #else
   reprise_cache = encoded;

@@ -3,7 +3,7 @@ layout(set = REPRISE_SET, binding = 0, std140) uniform RepriseFrame {
   uint frame;
   uint period_frames;
   uint history_valid;
-  uint reserved;
+  uint columns_shift;   // log2 of the columns of refresh groups
   vec4 viewport;
   vec4 previous_viewport;
   vec4 depth_range;     // stored = depth * x + y; valid in z..w

@@ -14,7 +14,7 @@ bool repriseLookup(out vec4 payload) {
 #if ORTHOGRAPHIC
   vec2 clip = reprise_previous.xy;
 #else
-  vec2 clip = reprise_previous.xy / depth;
+  vec2 clip = reprise_previous.xy * (1.0 / depth);
 #endif
   vec4 viewport = reprise.previous_viewport;
   vec2 at = (clip * 0.5 + 0.5) * viewport.zw + viewport.xy;
@@ -30,19 +30,30 @@ bool repriseLookup(out vec4 payload) {
   float tolerance = reprise.tolerance.x + slope + reprise.tolerance.z * expected;
 
   vec4 texel = textureLod(reprise_history, at, 0.0);
-#if DEPTH_IN_ALPHA
+#if NARROW
+  float stored = texel.g;
+#elif DEPTH_IN_ALPHA
   float stored = texel.a;
 #else
   float stored = textureLod(reprise_history_depth, at, 0.0).r;
 #endif
   payload = repriseDecode(texel);
-  bool hit = reprise.history_valid != 0u && !repriseDue() && at.x >= low.x && at.y >= low.y && at.x < high.x &&
-             at.y < high.y && abs(stored - expected) <= tolerance;
+  bool hit = abs(stored - expected) <= tolerance;
+  bool inside_low = all(greaterThanEqual(at, low));
+  bool inside_high = all(lessThan(at, high));
+  bool fresh = !repriseDue();
+  bool known = reprise.history_valid != 0u;
+  hit = hit && inside_low;
+  hit = hit && inside_high;
+  hit = hit && fresh;
+  hit = hit && known;
 #if !ORTHOGRAPHIC
-  hit = hit && depth > 0.0;
+  bool in_front = depth > 0.0;
+  hit = hit && in_front;
 #endif
 #if KEEP_RAW
-  hit = hit && repriseStorable(texel);
+  bool storable = repriseStorable(texel);
+  hit = hit && storable;
 #endif
 #if QUAD_UNIFORM
   // One miss makes the quad miss, so that implicit derivatives see four lanes of one path; helper lanes have no vote.

@@ -10,8 +10,7 @@ uint repriseGroup(uvec2 pixel, uint period) {
   hash ^= hash >> 16;
   return hash & (period - 1u);
 #else
-  uint bits = uint(findMSB(period));
-  uint columns_shift = (bits + 1u) >> 1;
+  uint columns_shift = reprise.columns_shift;
   uint columns = 1u << columns_shift;
   uint rows = period >> columns_shift;
 #if PATTERN == PATTERN_INTERLEAVED
@@ -27,6 +26,9 @@ uint repriseGroup(uvec2 pixel, uint period) {
 }
 
 bool repriseDue() {
-  if (reprise.period_frames == 0u) return false;
-  return repriseGroup(uvec2(gl_FragCoord.xy), reprise.period_frames) == (reprise.frame & (reprise.period_frames - 1u));
+  uint group = repriseGroup(uvec2(gl_FragCoord.xy), reprise.period_frames);
+  uint turn = reprise.frame & (reprise.period_frames - 1u);
+  bool ever = reprise.period_frames != 0u;
+  bool turns = group == turn;
+  return ever && turns;
 }

@@ -1,0 +1,171 @@
+// Which values are kept, why the others are dropped, and in which order.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "tests/compiler/analysed_shader.h"
+
+namespace reprise {
+namespace {
+
+constexpr const char* kHead =
+    "#version 450\n"
+    "layout(set = 0, binding = 0) uniform Scene { vec4 camera; } scene;\n"
+    "layout(set = 0, binding = 1) uniform sampler2D albedo_map;\n"
+    "layout(location = 0) in vec4 p;\n"
+    "layout(location = 1) in vec4 q;\n"
+    "layout(location = 0) out vec4 color;\n";
+
+std::string reasonOf(const std::string& body, const std::string& name) {
+  return analysedWhole(kHead + ("void main() {\n" + body + "\n}\n"))->named(name).dropped.code;
+}
+
+TEST(Candidates, AValueInALoopIsDroppedAndTheSumAfterItIsNot) {
+  const auto shader = analysed(kHead + std::string("void main() {\n"
+                                                   "float sum = 0.0;\n"
+                                                   "for (int i = 0; i < 16; ++i) { float wave = sin(p.x * float(i)); sum += wave; }\n"
+                                                   "float total = sum * 0.25;\n"
+                                                   "color = vec4(total) * dot(scene.camera, q);\n}\n"));
+  EXPECT_EQ(shader->named("wave").dropped.code, "place.loop");
+  EXPECT_TRUE(shader->named("total").kept()) << shader->named("total").dropped.message;
+  EXPECT_GT(shader->named("total").share, 0.5);
+}
+
+TEST(Candidates, AUniformOnlyValueIsDropped) {
+  EXPECT_EQ(reasonOf("float glow = exp(sin(scene.camera.x));\ncolor = glow * sin(p);", "glow"), "value.uniform");
+  EXPECT_EQ(reasonOf("float glow = exp(sin(p.x));\ncolor = glow * sin(p * scene.camera);", "glow"), "");
+}
+
+TEST(Candidates, IntegersAndMereRearrangementsAreDropped) {
+  const auto shader = analysedWhole(kHead + std::string("void main() {\nvec2 both = vec2(sin(p.x), cos(p.y));\n"
+                                                        "int steps = int(p.z);\ncolor = vec4(both, float(steps), 1.0) * q;\n}\n"));
+  EXPECT_EQ(shader->named("both").dropped.code, "value.rearranged");
+  const auto unsupported = std::count_if(shader->candidates.begin(), shader->candidates.end(), [](const Candidate& candidate) {
+    return candidate.dropped.code == "type.unsupported" && candidate.operation == "ConvertFToS";
+  });
+  EXPECT_EQ(unsupported, 1);
+}
+
+TEST(Candidates, ATextureCoordinateIsDroppedWhereTheSampleTakesItsDerivative) {
+  EXPECT_EQ(reasonOf("vec2 bent = p.xy + 0.1 * sin(q.xy);\ncolor = texture(albedo_map, bent) * q;", "bent"), "tail.derivative");
+  EXPECT_EQ(reasonOf("float bend = sin(q.x);\ncolor = texture(albedo_map, p.xy + bend) * q;", "bend"), "tail.derivative");
+  EXPECT_EQ(reasonOf("float bend = exp(sin(q.x));\ncolor = textureLod(albedo_map, p.xy + bend, 0.0) * q;", "bend"), "");
+  EXPECT_EQ(reasonOf("float slope = exp(sin(q.x));\ncolor = vec4(dFdx(slope)) * q;", "slope"), "tail.derivative");
+}
+
+TEST(Candidates, ASampleUnderABranchOnThePayloadIsDropped) {
+  EXPECT_EQ(reasonOf("float mask = exp(sin(q.x));\ncolor = q;\nif (mask > 0.5) color = texture(albedo_map, p.xy);", "mask"),
+            "tail.derivative");
+}
+
+TEST(Candidates, TheSampleItselfMayBeKept) {
+  const auto shader = analysedWhole(kHead + std::string("void main() {\nvec3 albedo = texture(albedo_map, p.xy).rgb * sin(p.xyz);\n"
+                                                        "color = vec4(albedo * dot(scene.camera, q), 1.0);\n}\n"));
+  EXPECT_TRUE(shader->named("albedo").kept()) << shader->named("albedo").dropped.message;
+  EXPECT_TRUE(shader->named("albedo").slice_takes_derivatives);
+}
+
+TEST(Candidates, AValueOfOneBranchIsConditional) {
+  const auto shader = analysedWhole(kHead + std::string("void main() {\ncolor = q;\n"
+                                                        "if (q.x > 0.0) { float rare = exp(sin(p.x)); color = vec4(rare * q); }\n"
+                                                        "float always = exp(cos(p.y));\ncolor += always * q;\n}\n"));
+  EXPECT_TRUE(shader->named("rare").conditional);
+  EXPECT_FALSE(shader->named("always").conditional);
+}
+
+TEST(Candidates, AValueAfterADiscardIsNotConditional) {
+  const auto shader = analysedWhole(kHead + std::string("void main() {\nif (q.x > 0.0) discard;\n"
+                                                        "float vein = exp(sin(p.x));\ncolor = vein * q;\n}\n"));
+  EXPECT_FALSE(shader->named("vein").conditional);
+}
+
+class ShippedFragmentShader : public testing::TestWithParam<std::string> {
+ protected:
+  std::vector<Candidate> candidates(const CandidateOptions& options = {}) {
+    program_ = shippedProgram(GetParam());
+    return enumerateCandidates(*program_.fragment, program_.analysis, program_.sources, options);
+  }
+  ShaderProgram program_;
+};
+
+TEST_P(ShippedFragmentShader, EveryDroppedValueHasAReasonAndIdsAreUnique) {
+  const std::set<std::string> reasons = {"type.unsupported", "place.loop",       "value.uniform",    "value.rearranged", "tail.derivative",
+                                         "pruned.cheap",     "pruned.duplicate", "pruned.dominated", "pruned.rank"};
+  std::set<std::string> ids;
+  int kept = 0;
+  for (const Candidate& candidate : candidates()) {
+    EXPECT_TRUE(ids.insert(candidate.id).second) << candidate.id << " twice";
+    kept += candidate.kept();
+    if (candidate.kept()) continue;
+    EXPECT_EQ(reasons.count(candidate.dropped.code), 1u) << candidate.dropped.code;
+    EXPECT_FALSE(candidate.dropped.message.empty()) << candidate.id;
+  }
+  EXPECT_GT(kept, 0);
+}
+
+TEST_P(ShippedFragmentShader, KeptCandidatesStandFirstWithPlaceInputsAndSavings) {
+  bool dropped = false;
+  const std::vector<Candidate> all = candidates();
+  double saved = program_.analysis.total_cost;
+  for (const Candidate& candidate : all) {
+    dropped |= !candidate.kept();
+    if (!candidate.kept()) continue;
+    EXPECT_FALSE(dropped) << candidate.id << " after dropped ones";
+    EXPECT_LE(candidate.saved_cost, saved);
+    saved = candidate.saved_cost;
+    EXPECT_GE(candidate.share, CandidateOptions{}.least_share);
+    EXPECT_LE(candidate.share, 1.0);
+    EXPECT_GE(candidate.slice_cost, candidate.saved_cost - 1e-9) << "a hit cannot save more than the slice costs";
+    EXPECT_GT(candidate.place.line, 0);
+    EXPECT_GT(candidate.place.column, 0);
+    EXPECT_FALSE(candidate.inputs.empty());
+    EXPECT_GE(candidate.channels, 1);
+    EXPECT_LE(candidate.channels, 4);
+  }
+}
+
+TEST_P(ShippedFragmentShader, TheRankingIsTheSameEveryTime) {
+  const std::vector<Candidate> first = candidates(), second = candidates();
+  ASSERT_EQ(first.size(), second.size());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    EXPECT_EQ(first[i].id, second[i].id);
+    EXPECT_EQ(first[i].value, second[i].value);
+    EXPECT_EQ(first[i].saved_cost, second[i].saved_cost);
+    EXPECT_EQ(first[i].dropped.code, second[i].dropped.code);
+  }
+}
+
+TEST_P(ShippedFragmentShader, AShorterListIsAPrefixOfALongerOne) {
+  CandidateOptions two, one;
+  two.most = 2;
+  one.most = 1;
+  const std::vector<Candidate> all = candidates(), shorter = candidates(two), shortest = candidates(one);
+  const auto kept = [](const std::vector<Candidate>& list) {
+    std::vector<std::string> ids;
+    for (const Candidate& candidate : list)
+      if (candidate.kept()) ids.push_back(candidate.id);
+    return ids;
+  };
+  std::vector<std::string> expected = kept(all);
+  expected.resize(std::min<std::size_t>(expected.size(), 2));
+  EXPECT_EQ(kept(shorter), expected);
+  expected.resize(std::min<std::size_t>(expected.size(), 1));
+  EXPECT_EQ(kept(shortest), expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(Candidates, ShippedFragmentShader, testing::ValuesIn(shippedFragmentShaders()),
+                         [](const auto& parameter) { return stemOf(parameter.param); });
+
+TEST(Candidates, TheMarblesAlbedoIsAmongThem) {
+  const ShaderProgram program = shippedProgram(std::string(REPRISE_SOURCE_DIR) + "/shaders/marble/marble.frag");
+  const auto candidates = enumerateCandidates(*program.fragment, program.analysis, program.sources, {});
+  const auto noise = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
+    return candidate.kept() && inputNames(candidate, program.analysis) == std::vector<std::string>{"varying object_position"};
+  });
+  ASSERT_NE(noise, candidates.end());
+  EXPECT_GT(noise->share, 0.5);
+}
+
+}  // namespace
+}  // namespace reprise

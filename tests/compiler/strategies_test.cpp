@@ -1,0 +1,207 @@
+// Every strategy of the registry on every shipped shader: sound recipes, valid modules, the same bytes every time.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "compiler/source/validate.h"
+#include "compiler/strategies/build_recipe.h"
+#include "runtime/package/package.h"
+#include "tests/compiler/analysed_shader.h"
+
+namespace reprise {
+namespace {
+
+constexpr StateLimits kAllows = {true, true};
+
+struct SubjectOfStrategies {
+  ShaderProgram program;
+  std::vector<Candidate> candidates;
+
+  const Candidate& first() const { return candidates.front(); }
+};
+
+SubjectOfStrategies subjectOf(const std::string& file) {
+  SubjectOfStrategies subject{shippedProgram(file), {}};
+  subject.candidates = enumerateCandidates(*subject.program.fragment, subject.program.analysis, subject.program.sources, {});
+  REPRISE_CHECK(!subject.candidates.empty() && subject.first().kept(), file);
+  return subject;
+}
+
+// A refusal that is right: a depth prepass of a shader that discards.
+bool rightlyRefused(const Strategy& strategy, const ShaderProgram& program, const Error& error) {
+  return strategy.name == "original_prepass" && program.analysis.discards && error.code == "state.prepass_discards";
+}
+
+class StrategyOn : public testing::TestWithParam<std::string> {};
+
+TEST_P(StrategyOn, GivesValidModulesAndAConsistentPackage) {
+  const SubjectOfStrategies subject = subjectOf(GetParam());
+  for (const Strategy& strategy : strategies())
+    for (const bool instrumented : {false, true}) {
+      SCOPED_TRACE(strategy.name + (instrumented ? " instrumented" : ""));
+      VariantOptions options;
+      options.strategy = strategy.name;
+      options.instrumented = instrumented;
+      const Result<Package> package = buildPackage(subject.program, subject.first(), options, kAllows);
+      if (!package.ok() && rightlyRefused(strategy, subject.program, package.error())) continue;
+      ASSERT_TRUE(package.ok()) << formatError(package.error());
+      for (const auto& [name, words] : package->modules) {
+        const Result<void> valid = validateModule(words);
+        EXPECT_TRUE(valid.ok()) << name << ": " << valid.error().message;
+      }
+      const Result<void> consistent = checkPackage(*package);
+      EXPECT_TRUE(consistent.ok()) << formatError(consistent.error());
+    }
+}
+
+TEST_P(StrategyOn, EncodingsPatternsAndFiltersAllGiveConsistentPackages) {
+  const SubjectOfStrategies subject = subjectOf(GetParam());
+  for (const Encoding encoding : {Encoding::kRgba8, Encoding::kRgba16f, Encoding::kRgba32f})
+    for (const PatternKind pattern : {PatternKind::kTiled, PatternKind::kRandom, PatternKind::kInterleaved}) {
+      VariantOptions options;
+      options.strategy = "branch";
+      options.encoding = encoding;
+      options.pattern = pattern;
+      options.filter = pattern == PatternKind::kTiled ? Filter::kNearest : Filter::kBilinear;
+      options.instrumented = true;
+      const Result<Package> package = buildPackage(subject.program, subject.first(), options, kAllows);
+      ASSERT_TRUE(package.ok()) << nameOf(encoding) << " " << nameOf(pattern) << ": " << formatError(package.error());
+      EXPECT_TRUE(checkPackage(*package).ok());
+    }
+}
+
+TEST_P(StrategyOn, EveryKeptCandidateCanBeCached) {
+  const SubjectOfStrategies subject = subjectOf(GetParam());
+  for (const Candidate& candidate : subject.candidates) {
+    if (!candidate.kept()) break;
+    const Result<BuiltRecipe> built = buildRecipe(subject.program, candidate, {}, kAllows);
+    ASSERT_TRUE(built.ok()) << candidate.id << ": " << formatError(built.error());
+    ASSERT_EQ(built->recipe.payload.size(), 1u);
+    EXPECT_EQ(built->recipe.payload[0].type, candidate.type);
+    EXPECT_EQ(built->recipe.payload[0].line, candidate.place.line);
+  }
+}
+
+TEST_P(StrategyOn, TwoBuildsOfAVariantAreTheSameBytes) {
+  const SubjectOfStrategies one = subjectOf(GetParam()), two = subjectOf(GetParam());
+  for (const char* strategy : {"branch", "three_pass"}) {
+    VariantOptions options;
+    options.strategy = strategy;
+    options.instrumented = true;
+    const Package first = buildPackage(one.program, one.first(), options, kAllows).value();
+    const Package second = buildPackage(two.program, two.first(), options, kAllows).value();
+    EXPECT_EQ(first.modules, second.modules) << strategy;
+    EXPECT_EQ(recipeToJson(first.variant), recipeToJson(second.variant)) << strategy;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Strategies, StrategyOn, testing::ValuesIn(shippedFragmentShaders()),
+                         [](const auto& parameter) { return stemOf(parameter.param); });
+
+TEST(Strategies, NamesAreUniqueAndFound) {
+  std::set<std::string> names;
+  for (const Strategy& strategy : strategies()) {
+    EXPECT_TRUE(names.insert(strategy.name).second) << strategy.name;
+    EXPECT_EQ(findStrategy(strategy.name), &strategy);
+    EXPECT_FALSE(strategy.description.empty());
+    EXPECT_FALSE(strategy.passes.empty());
+  }
+  EXPECT_EQ(findStrategy("branchy"), nullptr);
+}
+
+const SubjectOfStrategies& straightLine() {
+  static const SubjectOfStrategies subject = subjectOf(std::string(REPRISE_SOURCE_DIR) + "/shaders/laws/straight_line/straight_line.frag");
+  return subject;
+}
+
+std::string refusalOf(const std::string& strategy, const StateLimits& limits) {
+  VariantOptions options;
+  options.strategy = strategy;
+  const Result<BuiltRecipe> built = buildRecipe(straightLine().program, straightLine().first(), options, limits);
+  return built.ok() ? "" : built.error().code;
+}
+
+TEST(Strategies, WhatTheStateForbidsIsRefused) {
+  for (const Strategy& strategy : strategies()) {
+    const StateLimits none = {false, false};
+    const std::string expected = strategy.rejects_by_depth ? "state.depth_compare" : strategy.needs_stencil ? "state.no_stencil" : "";
+    EXPECT_EQ(refusalOf(strategy.name, none), expected) << strategy.name;
+  }
+  EXPECT_EQ(refusalOf("branchy", kAllows), "strategy.unknown");
+}
+
+TEST(Strategies, AShaderWithSideEffectsIsRefusedByAllThatCacheAndPlayedByTheOriginal) {
+  const char* vertex = "#version 450\nlayout(location = 0) in vec4 position;\nlayout(location = 0) out vec4 p;\n"
+                       "void main() { p = position; gl_Position = position; }\n";
+  const char* fragment = "#version 450\nlayout(set = 0, binding = 0) buffer Log { vec4 last; } log_;\nlayout(location = 0) in vec4 p;\n"
+                         "layout(location = 0) out vec4 color;\nvoid main() { log_.last = p; color = sin(exp(p)); }\n";
+  const ShaderProgram program = readProgram(compiled(vertex, "test.vert"), compiled(fragment)).value();
+  for (const Strategy& strategy : strategies()) {
+    VariantOptions options;
+    options.strategy = strategy.name;
+    const Result<BuiltRecipe> built = buildRecipe(program, {}, options, kAllows);
+    EXPECT_EQ(built.ok(), !strategy.caches) << strategy.name;
+    if (!built.ok()) EXPECT_EQ(built.error().code, "shader.side_effects");
+  }
+}
+
+TEST(Strategies, TheOriginalIsTheShaderAsCompiled) {
+  VariantOptions options;
+  options.strategy = "original";
+  const BuiltRecipe built = buildRecipe(straightLine().program, straightLine().first(), options, kAllows).value();
+  EXPECT_EQ(built.modules.at("vertex"), straightLine().program.vertex_words);
+  EXPECT_EQ(built.modules.at("fragment"), straightLine().program.fragment_words);
+  EXPECT_FALSE(built.recipe.uses_reprise_set);
+  EXPECT_TRUE(built.recipe.resources.empty());
+}
+
+TEST(Strategies, ShippedModulesHaveNoLinesAndNoSource) {
+  const BuiltRecipe built = buildRecipe(straightLine().program, straightLine().first(), {}, kAllows).value();
+  for (const auto& [name, words] : built.modules) {
+    const Module module = readModule(words).value();
+    EXPECT_TRUE(module.debug_sources.empty()) << name;
+    for (const Function& function : module.functions)
+      for (const Block& block : function.blocks)
+        for (const Instruction& instruction : block.instructions)
+          if (instruction.line != LineMark{}) ADD_FAILURE() << name << " has a line";
+  }
+}
+
+TEST(Strategies, RepriseTakesTheFirstSetThatTheShadersLeaveFree) {
+  const BuiltRecipe built = buildRecipe(straightLine().program, straightLine().first(), {}, kAllows).value();
+  std::uint32_t highest = 0;
+  for (const Descriptor& descriptor : straightLine().program.interface.descriptors) highest = std::max(highest, descriptor.set);
+  EXPECT_EQ(built.recipe.reprise_set, highest + 1);
+}
+
+TEST(CacheLayout, RangesComeBackFromTheConstantsTheyMade) {
+  ValueRanges ranges;
+  ranges.depth_near = 0.5f;
+  ranges.depth_far = 20;
+  ranges.payload_min = {-1, 0, 0.25f, 0};
+  ranges.payload_max = {2, 1, 0.75f, 4};
+  VariantOptions options;
+  options.encoding = Encoding::kRgba8;
+  options.ranges = ranges;
+  const BuiltRecipe built = buildRecipe(straightLine().program, straightLine().first(), options, kAllows).value();
+  options.ranges = rangesOf(built.recipe);
+  const BuiltRecipe again = buildRecipe(straightLine().program, straightLine().first(), options, kAllows).value();
+  EXPECT_NEAR(options.ranges.depth_near, ranges.depth_near, 1e-4);
+  EXPECT_NEAR(options.ranges.depth_far, ranges.depth_far, 1e-3);
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_NEAR(again.recipe.constants.payload_scale[i], built.recipe.constants.payload_scale[i], 1e-4) << i;
+    EXPECT_NEAR(again.recipe.constants.payload_offset[i], built.recipe.constants.payload_offset[i], 1e-4) << i;
+  }
+}
+
+TEST(CacheLayout, DepthHasAnImageOfItsOwnWhereAlphaIsTakenOrHasEightBits) {
+  for (int channels = 1; channels <= 4; ++channels) {
+    EXPECT_FALSE(cacheLayout(channels, Encoding::kRgba8).depth_in_alpha) << channels;
+    EXPECT_EQ(cacheLayout(channels, Encoding::kRgba16f).depth_in_alpha, channels < 4) << channels;
+    EXPECT_EQ(cacheLayout(channels, Encoding::kRgba32f).depth_in_alpha, channels < 4) << channels;
+  }
+}
+
+}  // namespace
+}  // namespace reprise

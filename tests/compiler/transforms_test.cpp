@@ -1,0 +1,248 @@
+// Bodies with the payload given and handed out, and the vertex shader that knows where it was.
+#include <gtest/gtest.h>
+
+#include "compiler/ir/optimize.h"
+#include "compiler/source/validate.h"
+#include "compiler/strategies/frame_source.h"
+#include "compiler/strategies/payload_bodies.h"
+#include "compiler/transforms/clone_function.h"
+#include "compiler/transforms/previous_position.h"
+#include "tests/compiler/analysed_shader.h"
+
+namespace reprise {
+namespace {
+
+constexpr std::uint32_t kSin = 13, kExp = 27;
+
+constexpr const char* kLoopShader =
+    "#version 450\n"
+    "layout(location = 0) in vec4 p;\n"
+    "layout(location = 1) in vec4 q;\n"
+    "layout(location = 0) out vec4 color;\n"
+    "void main() {\n"
+    "  float sum = 0.0;\n"
+    "  for (int i = 0; i < 16; ++i) sum += sin(p.x * float(i) + sum);\n"
+    "  float vein = sum * 0.25 + p.y;\n"
+    "  color = vec4(vein) * exp(q);\n"
+    "}\n";
+
+const Function& functionOf(const PayloadBodies& bodies, std::uint32_t function) {
+  const Function* found = findFunction(bodies.module, function);
+  REPRISE_CHECK(found != nullptr, function);
+  return *found;
+}
+
+int storesTo(const Function& function, std::uint32_t variable) {
+  int count = 0;
+  for (const Block& block : function.blocks)
+    for (const Instruction& instruction : block.instructions)
+      count += instruction.opcode == spv::Op::OpStore && instruction.word(0) == variable;
+  return count;
+}
+
+int loadsOf(const Function& function, std::uint32_t variable) {
+  int count = 0;
+  for (const Block& block : function.blocks)
+    for (const Instruction& instruction : block.instructions)
+      count += instruction.opcode == spv::Op::OpLoad && instruction.word(0) == variable;
+  return count;
+}
+
+TEST(Slice, TheHitBodyNoLongerComputesThePayload) {
+  const auto shader = analysedWhole(kLoopShader);
+  const PayloadBodies bodies = makeBodies(shader->shader, shader->named("vein").value, {true, true, true}).value();
+  const Function& hit = functionOf(bodies, bodies.hit);
+  EXPECT_EQ(countOf(hit, spv::Op::OpLoopMerge), 0);
+  EXPECT_EQ(countOfExtended(hit, kSin), 0);
+  EXPECT_EQ(countOfExtended(hit, kExp), 1) << "the tail stays";
+  EXPECT_EQ(loadsOf(hit, bodies.payload_variable), 1);
+  EXPECT_EQ(storesTo(hit, bodies.payload_variable), 0);
+  const Result<void> valid = validateModule(writeModule(bodies.module));
+  EXPECT_TRUE(valid.ok()) << valid.error().message;
+}
+
+TEST(Slice, TheMissBodyHasEverythingAndHandsThePayloadOut) {
+  const auto shader = analysedWhole(kLoopShader);
+  const PayloadBodies bodies = makeBodies(shader->shader, shader->named("vein").value, {true, true, true}).value();
+  const Function& miss = functionOf(bodies, bodies.miss);
+  EXPECT_EQ(countOf(miss, spv::Op::OpLoopMerge), 1);
+  EXPECT_EQ(countOfExtended(miss, kSin), 1);
+  EXPECT_EQ(countOfExtended(miss, kExp), 1);
+  EXPECT_EQ(storesTo(miss, bodies.payload_variable), 1);
+  EXPECT_EQ(storesTo(miss, bodies.valid_variable), 1);
+  EXPECT_EQ(loadsOf(miss, bodies.payload_variable), 0);
+}
+
+TEST(Slice, TheMissBodyWithHiddenColoursComputesThePayloadAlone) {
+  const auto shader = analysedWhole(kLoopShader);
+  const PayloadBodies bodies = makeBodies(shader->shader, shader->named("vein").value, {false, true, false}).value();
+  const Function& miss = functionOf(bodies, bodies.miss);
+  EXPECT_EQ(countOfExtended(miss, kSin), 1);
+  EXPECT_EQ(countOfExtended(miss, kExp), 0) << "only the hidden colour needs it";
+  EXPECT_EQ(storesTo(miss, bodies.payload_variable), 1);
+  EXPECT_EQ(bodies.hit, 0u);
+}
+
+constexpr const char* kDiscards =
+    "#version 450\n"
+    "layout(location = 0) in vec4 p;\n"
+    "layout(location = 1) in vec4 q;\n"
+    "layout(location = 0) out vec4 color;\n"
+    "void main() {\n"
+    "  BEFORE\n"
+    "  float vein = sin(p.x) * cos(p.y);\n"
+    "  AFTER\n"
+    "  color = vec4(vein) * exp(q);\n"
+    "}\n";
+
+std::string discardingShader(const std::string& before, const std::string& after) {
+  std::string text = kDiscards;
+  text.replace(text.find("BEFORE"), 6, before);
+  text.replace(text.find("AFTER"), 5, after);
+  return text;
+}
+
+TEST(Slice, KeepsDiscardBeforeThePayload) {
+  const auto shader = analysedWhole(discardingShader("if (fract(q.x * 4.0) < 0.5) discard;", ""));
+  for (const bool hit : {true, false}) {
+    const PayloadBodies bodies = makeBodies(shader->shader, shader->named("vein").value, {hit, !hit, false}).value();
+    EXPECT_EQ(countOf(functionOf(bodies, hit ? bodies.hit : bodies.miss), spv::Op::OpKill), 1) << (hit ? "hit" : "miss");
+    EXPECT_TRUE(validateModule(writeModule(bodies.module)).ok());
+  }
+}
+
+TEST(Slice, KeepsDiscardAfterThePayloadAndWhatDecidesIt) {
+  const auto shader = analysedWhole(discardingShader("", "if (vein > q.x) discard;"));
+  const PayloadBodies hidden = makeBodies(shader->shader, shader->named("vein").value, {true, true, false}).value();
+  EXPECT_EQ(countOf(functionOf(hidden, hidden.hit), spv::Op::OpKill), 1);
+  EXPECT_EQ(countOf(functionOf(hidden, hidden.miss), spv::Op::OpKill), 1);
+  EXPECT_EQ(countOfExtended(functionOf(hidden, hidden.hit), kSin), 0);
+}
+
+TEST(Slice, KeepsDiscardThatNeedsAPartOfThePayloadsComputation) {
+  const auto shader = analysedWhole(discardingShader("float shared_wave = sin(p.x);\n  if (shared_wave > q.x) discard;", ""));
+  const PayloadBodies bodies = makeBodies(shader->shader, shader->named("vein").value, {true, false, true}).value();
+  const Function& hit = functionOf(bodies, bodies.hit);
+  EXPECT_EQ(countOf(hit, spv::Op::OpKill), 1);
+  EXPECT_GE(countOfExtended(hit, kSin), 1) << "the discard still needs it";
+}
+
+TEST(Slice, EveryPayloadWidthMakesValidBodies) {
+  for (const char* type : {"float", "vec2", "vec3", "vec4"}) {
+    const auto shader = analysedWhole(std::string("#version 450\nlayout(location = 0) in vec4 p;\nlayout(location = 0) out vec4 color;\n"
+                                                  "void main() {\n  ") + type + " vein = " + type + "(1.5) * sin(" + type +
+                                      "(p" + (std::string(type) == "float" ? ".x" : "") + "));\n  color = vec4(dot(vein, vein)) * exp(p);\n}\n");
+    const PayloadBodies bodies = makeBodies(shader->shader, shader->named("vein").value, {true, true, true}).value();
+    const Result<void> valid = validateModule(writeModule(bodies.module));
+    EXPECT_TRUE(valid.ok()) << type << ": " << valid.error().message;
+    EXPECT_EQ(countOfExtended(functionOf(bodies, bodies.hit), kSin), 0) << type;
+  }
+}
+
+TEST(Clone, HasTheSameCodeUnderOtherIds) {
+  const Module module = inlineCalls(moduleOf(kLoopShader)).value();
+  const std::uint32_t original = module.entry_points.front().word(1);
+  const ClonedFunction cloned = cloneFunction(module, original);
+  const Function& before = *findFunction(cloned.module, original);
+  const Function& copy = *findFunction(cloned.module, cloned.function);
+  ASSERT_EQ(copy.blocks.size(), before.blocks.size());
+  for (std::size_t block = 0; block < copy.blocks.size(); ++block) {
+    ASSERT_EQ(copy.blocks[block].instructions.size(), before.blocks[block].instructions.size());
+    EXPECT_NE(copy.blocks[block].label, before.blocks[block].label);
+    for (std::size_t i = 0; i < copy.blocks[block].instructions.size(); ++i)
+      EXPECT_EQ(copy.blocks[block].instructions[i].opcode, before.blocks[block].instructions[i].opcode);
+  }
+  EXPECT_TRUE(validateModule(writeModule(cloned.module)).ok());
+}
+
+struct VertexText {
+  std::string globals, position;
+  std::string extra = "";
+};
+
+Result<PreviousPosition> previousOf(const VertexText& text) {
+  const Module vertex = inlineCalls(moduleOf("#version 450\n" + text.globals +
+                                             "layout(location = 0) in vec3 position;\nlayout(location = 0) out vec3 place;\n"
+                                             "void main() {\n  place = position;\n  " + text.extra + "\n  gl_Position = " + text.position +
+                                             ";\n}\n", "test.vert")).value();
+  const Module frame = compileFrame("previous_position.vert", ShaderStage::kVertex,
+                                    {{"REPRISE_SET", 3}, {"PREVIOUS_LOCATION", 1}, {"ORTHOGRAPHIC", 0}});
+  return addPreviousPosition(vertex, {3, 1, &frame});
+}
+
+TEST(PreviousPosition, ListsTheBlocksAndPushConstantsThatThePositionReads) {
+  const auto previous = previousOf({
+      "layout(set = 1, binding = 2) uniform Scene { mat4 view_projection; vec4 sun; } scene;\n"
+      "layout(push_constant) uniform Object { mat4 model; vec4 tint; } object;\n",
+      "scene.view_projection * object.model * vec4(position, 1.0)"});
+  ASSERT_TRUE(previous.ok()) << formatError(previous.error());
+  const Result<void> valid = validateModule(writeModule(previous->module));
+  EXPECT_TRUE(valid.ok()) << valid.error().message;
+  ASSERT_EQ(previous->inputs.size(), 2u);
+  for (const PreviousInput& input : previous->inputs) {
+    EXPECT_EQ(input.size_bytes, 80u) << input.name;
+    if (input.source == PreviousSource::kPushConstants) {
+      EXPECT_EQ(input.name, "Object");
+      continue;
+    }
+    EXPECT_EQ(input.name, "Scene");
+    EXPECT_EQ(input.set, 1u);
+    EXPECT_EQ(input.binding, 2u);
+    EXPECT_GE(input.reprise_binding, 16u);
+  }
+  EXPECT_NE(previous->inputs[0].source, previous->inputs[1].source);
+  EXPECT_EQ(previous->module.entry_points.size(), 1u);
+}
+
+TEST(PreviousPosition, ABlockThatOnlyVaryingsReadIsNoInput) {
+  const auto previous = previousOf({"layout(set = 0, binding = 0) uniform Scene { mat4 view_projection; } scene;\n"
+                                    "layout(set = 0, binding = 1) uniform Look { vec4 tint; } look;\n",
+                                    "scene.view_projection * vec4(position, 1.0)", "place = look.tint.xyz;"});
+  ASSERT_TRUE(previous.ok()) << formatError(previous.error());
+  ASSERT_EQ(previous->inputs.size(), 1u);
+  EXPECT_EQ(previous->inputs[0].name, "Scene");
+}
+
+TEST(PreviousPosition, TwoBlocksGetBindingsOfTheirOwn) {
+  const auto previous = previousOf({"layout(set = 0, binding = 0) uniform Camera { mat4 view; } camera;\n"
+                                    "layout(set = 0, binding = 1) uniform Bones { mat4 bones[8]; } skin;\n",
+                                    "camera.view * skin.bones[gl_VertexIndex & 7] * vec4(position, 1.0)"});
+  ASSERT_TRUE(previous.ok()) << formatError(previous.error());
+  ASSERT_EQ(previous->inputs.size(), 2u);
+  EXPECT_NE(previous->inputs[0].reprise_binding, previous->inputs[1].reprise_binding);
+  EXPECT_TRUE(validateModule(writeModule(previous->module)).ok());
+}
+
+TEST(PreviousPosition, APositionFromABufferOrATextureIsRefused) {
+  for (const VertexText& text :
+       {VertexText{"layout(set = 0, binding = 0) readonly buffer Instances { mat4 model[]; } instances;\n",
+                   "instances.model[gl_InstanceIndex] * vec4(position, 1.0)"},
+        VertexText{"layout(set = 0, binding = 0) uniform sampler2D heights;\n",
+                   "vec4(position + textureLod(heights, position.xy, 0.0).rgb, 1.0)"}}) {
+    const auto previous = previousOf(text);
+    ASSERT_FALSE(previous.ok());
+    EXPECT_EQ(previous.error().code, "vertex.input");
+    EXPECT_EQ(previous.error().kind, ErrorKind::kRefused);
+  }
+}
+
+TEST(PreviousPosition, ABufferThatOnlyVaryingsReadIsAllowed) {
+  const auto previous = previousOf({"layout(set = 0, binding = 0) readonly buffer Colors { vec4 tint[]; } colors;\n",
+                                    "vec4(position, 1.0)", "place = colors.tint[gl_VertexIndex].xyz;"});
+  ASSERT_TRUE(previous.ok()) << formatError(previous.error());
+  EXPECT_TRUE(previous->inputs.empty());
+  EXPECT_TRUE(validateModule(writeModule(previous->module)).ok());
+}
+
+TEST(PreviousPosition, AShaderWithoutAPositionIsRefused) {
+  const Module vertex = moduleOf("#version 450\nlayout(location = 0) out vec3 place;\nvoid main() { place = vec3(1.0); }\n", "test.vert");
+  const Module frame = compileFrame("previous_position.vert", ShaderStage::kVertex,
+                                    {{"REPRISE_SET", 0}, {"PREVIOUS_LOCATION", 1}, {"ORTHOGRAPHIC", 0}});
+  const Module stripped = stripForShipping(inlineCalls(vertex).value()).value();
+  const auto previous = addPreviousPosition(removeDeadCode(stripped).value(), {0, 1, &frame});
+  ASSERT_FALSE(previous.ok());
+  EXPECT_EQ(previous.error().code, "vertex.no_position");
+}
+
+}  // namespace
+}  // namespace reprise
