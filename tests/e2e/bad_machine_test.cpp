@@ -59,10 +59,14 @@ TEST(FullDisk, FilesThatCannotGrowEndTheRunWithoutAResult) {
   EXPECT_EQ(leftovers(scenario.output()), "");
 }
 
-TEST(FullDisk, SmallFileSystemEndsTheRunWithoutAResult) {
+// Full at once, and full in the middle of the measurements.
+class SmallDisk : public testing::TestWithParam<std::string> {};
+
+TEST_P(SmallDisk, EndsTheRunWithoutAResult) {
   const SmallScenario scenario;
   fs::create_directories(scenario.output());
-  const std::string mount = "mount -t tmpfs -o size=64k reprise_test '" + scenario.output().string() + "'";
+  const std::string mount =
+      "mount -t tmpfs -o size=" + GetParam() + " reprise_test '" + scenario.output().string() + "'";
   if (runCommand({"unshare", "--map-root-user", "--mount", "sh", "-c", mount}).status != 0) {
     GTEST_SKIP() << "this machine does not let a test mount a file system of its own";
   }
@@ -83,6 +87,8 @@ TEST(FullDisk, SmallFileSystemEndsTheRunWithoutAResult) {
     EXPECT_EQ(outcome.output.find(name), std::string::npos) << outcome.output;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Sizes, SmallDisk, testing::Values("64k", "400k"));
 
 TEST(Interrupted, RunEndsSoonAndCanBeTakenUpAgain) {
   const SmallScenario scenario;

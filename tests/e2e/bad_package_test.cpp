@@ -103,7 +103,7 @@ TEST_F(BadPackage, ManifestThatNamesAnotherModule) {
   const std::size_t place = text.find("\"" + name + "\"");
   ASSERT_NE(place, std::string::npos);
   writeText(manifest(), text.replace(place + 1, name.size(), "nonesuch"));
-  expectRefusal(play(), kExitBadInput, {"nonesuch"});
+  expectRefusal(play(), kExitBadInput, {"manifest.json", "changed"});
 }
 
 }  // namespace

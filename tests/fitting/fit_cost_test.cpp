@@ -68,8 +68,8 @@ RC_GTEST_PROP(FitCost, ParametersAreNeverNegative, (std::uint32_t seed)) {
   for (int i = 0; i < 30; ++i) {
     points.push_back({noise.uniform(0, 1e5), noise.uniform(0, 1e5), noise.uniform(0.1, 20)});
   }
+  // Times that have nothing to do with the fragments may well not converge; negative they must not be.
   const CostFit fit = fitCost(points);
-  RC_ASSERT(isUsable(fit.verdict));
   RC_ASSERT(fit.cost.hit_ns >= 0.0);
   RC_ASSERT(fit.cost.miss_ns >= 0.0);
   RC_ASSERT(fit.cost.overhead_ms >= 0.0);

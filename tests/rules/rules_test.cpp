@@ -110,7 +110,7 @@ TEST(IncludeRules, ThirdPartyHeadersStayInTheirFolders) {
 
 TEST(IncludeRules, HeavyHeadersStayOutOfOurHeaders) {
   EXPECT_EQ(joined(complaintsAboutThirdParty("runtime/package/manifest.cpp", "nlohmann/json.hpp")), "");
-  EXPECT_EQ(complaintsAboutThirdParty("runtime/package/manifest.h", "nlohmann/json.hpp").size(), 1u);
+  EXPECT_EQ(complaintsAboutThirdParty("fitting/solve/fit.h", "ceres/ceres.h").size(), 1u);
 }
 
 TEST(IncludeRules, WantsPathsFromTheRoot) {

@@ -10,7 +10,9 @@
 namespace reprise {
 namespace {
 
-// The module bytes are never looked into here: only their hash is.
+constexpr std::uint32_t kMagic = 0x07230203;
+
+// Of the modules only the magic number and the hash are looked at here.
 Package samplePackage() {
   Package package;
   package.tool_version = "1.2.3";
@@ -19,7 +21,7 @@ Package samplePackage() {
                                     {{"view_projection", ScalarKind::kFloat, 4, 4, 0, 16, false, 0, 0}}}};
   package.interface.push_constant_name = "Object";
   package.interface.push_constants = {{kStageVertex, 0, 64}};
-  package.modules = {{"original_vertex", {1, 2, 3}}, {"fragment", {4, 5}}, {"vertex", {6}}, {"fragment_hits", {7, 8, 9}}};
+  package.modules = {{"original_vertex", {kMagic, 1, 0, 0, 0}}, {"fragment", {kMagic, 2, 0, 0, 0}}, {"vertex", {kMagic, 3, 0, 0, 0}}, {"fragment_hits", {kMagic, 4, 0, 0, 0}}};
   const auto entry = [&](const std::string& name, const std::string& stage) {
     return ModuleEntry{name, stage, contentHash(bytesOf(package.modules.at(name)))};
   };
@@ -102,7 +104,7 @@ TEST_F(PackageFiles, AreRefusedWithTheManifestCutShort) {
 }
 
 TEST_F(PackageFiles, AreRefusedWithAnotherModule) {
-  const std::vector<std::uint32_t> other{7, 8, 10};
+  const std::vector<std::uint32_t> other{kMagic, 5, 0, 0, 0};
   ASSERT_TRUE(writeFile(directory_ / "fragment_hits.spv", bytesOf(other)).ok());
   EXPECT_EQ(codeOfReading(), "package.tampered");
   ASSERT_TRUE(writeFile(directory_ / "fragment_hits.spv", "abc").ok());
