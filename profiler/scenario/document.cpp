@@ -15,9 +15,9 @@ Place placeOf(const toml::source_region& region, const std::string& file) {
           std::max(1, static_cast<int>(region.begin.column))};
 }
 
-Node nodeOf(const toml::node& source, const std::string& file);
+TomlNode nodeOf(const toml::node& source, const std::string& file);
 
-void fillTable(const toml::table& table, const std::string& file, Node& node) {
+void fillTable(const toml::table& table, const std::string& file, TomlNode& node) {
   for (const auto& [key, value] : table) {
     node.entries.push_back({std::string(key.str()), placeOf(key.source(), file), nodeOf(value, file)});
   }
@@ -26,8 +26,8 @@ void fillTable(const toml::table& table, const std::string& file, Node& node) {
   });
 }
 
-Node nodeOf(const toml::node& source, const std::string& file) {
-  Node node;
+TomlNode nodeOf(const toml::node& source, const std::string& file) {
+  TomlNode node;
   node.place = placeOf(source.source(), file);
   if (const toml::table* table = source.as_table()) {
     node.kind = NodeKind::kTable;
@@ -60,7 +60,7 @@ Error syntaxError(const std::string& reason, const Place& place) {
 
 }  // namespace
 
-Result<Node> parseDocument(const std::string& toml, const std::string& file) {
+Result<TomlNode> parseDocument(const std::string& toml, const std::string& file) {
   try {
     return nodeOf(toml::parse(toml, file), file);
   } catch (const toml::parse_error& problem) {
@@ -70,7 +70,7 @@ Result<Node> parseDocument(const std::string& toml, const std::string& file) {
   }
 }
 
-std::string describeNode(const Node& node) {
+std::string describeNode(const TomlNode& node) {
   std::ostringstream text;
   switch (node.kind) {
     case NodeKind::kBoolean:

@@ -13,14 +13,14 @@ enum class NodeKind { kBoolean, kInteger, kFloat, kText, kArray, kTable, kDate }
 
 struct Entry;
 
-struct Node {
+struct TomlNode {
   NodeKind kind = NodeKind::kTable;
   Place place;
   bool boolean = false;
   std::int64_t integer = 0;
   double real = 0;  // of integers, too
   std::string text;
-  std::vector<Node> elements;  // of an array
+  std::vector<TomlNode> elements;  // of an array
   std::vector<Entry> entries;  // of a table
 
   bool isNumber() const { return kind == NodeKind::kInteger || kind == NodeKind::kFloat; }
@@ -29,13 +29,13 @@ struct Node {
 struct Entry {
   std::string key;
   Place key_place;
-  Node value;
+  TomlNode value;
 };
 
 // `file` stands in the places. Errors: scenario.syntax.
-Result<Node> parseDocument(const std::string& toml, const std::string& file);
+Result<TomlNode> parseDocument(const std::string& toml, const std::string& file);
 
 // What was found, for messages: "the text 'eight'", "the integer -64", "an array of 3".
-std::string describeNode(const Node& node);
+std::string describeNode(const TomlNode& node);
 
 }  // namespace reprise

@@ -9,18 +9,18 @@
 namespace reprise {
 
 template <typename T>
-struct NamedValue {
+struct NameWithValue {
   const char* name;
   T value;
 };
 
-inline constexpr NamedValue<MeshKind> kMeshKinds[] = {{"sphere", MeshKind::kSphere},
+inline constexpr NameWithValue<MeshKind> kMeshKinds[] = {{"sphere", MeshKind::kSphere},
                                                       {"torus_knot", MeshKind::kTorusKnot},
                                                       {"plane", MeshKind::kPlane},
                                                       {"terrain", MeshKind::kTerrain},
                                                       {"revolution", MeshKind::kRevolution}};
 
-inline constexpr NamedValue<Semantic> kSemantics[] = {{"view", Semantic::kView},
+inline constexpr NameWithValue<Semantic> kSemantics[] = {{"view", Semantic::kView},
                                                       {"projection", Semantic::kProjection},
                                                       {"view_projection", Semantic::kViewProjection},
                                                       {"model", Semantic::kModel},
@@ -30,25 +30,25 @@ inline constexpr NamedValue<Semantic> kSemantics[] = {{"view", Semantic::kView},
                                                       {"frame", Semantic::kFrame},
                                                       {"resolution", Semantic::kResolution}};
 
-inline constexpr NamedValue<TextureKind> kTextureKinds[] = {{"file", TextureKind::kFile},
+inline constexpr NameWithValue<TextureKind> kTextureKinds[] = {{"file", TextureKind::kFile},
                                                             {"checker", TextureKind::kChecker},
                                                             {"noise", TextureKind::kNoise},
                                                             {"gradient", TextureKind::kGradient},
                                                             {"sky", TextureKind::kSky}};
 
-inline constexpr NamedValue<CullMode> kCullModes[] = {
+inline constexpr NameWithValue<CullMode> kCullModes[] = {
     {"none", CullMode::kNone}, {"back", CullMode::kBack}, {"front", CullMode::kFront}};
 
-inline constexpr NamedValue<DepthCompare> kDepthCompares[] = {
+inline constexpr NameWithValue<DepthCompare> kDepthCompares[] = {
     {"less", DepthCompare::kLess},
     {"less_or_equal", DepthCompare::kLessOrEqual},
     {"greater", DepthCompare::kGreater},
     {"greater_or_equal", DepthCompare::kGreaterOrEqual}};
 
-inline constexpr NamedValue<SessionRole> kSessionRoles[] = {{"training", SessionRole::kTraining},
+inline constexpr NameWithValue<SessionRole> kSessionRoles[] = {{"training", SessionRole::kTraining},
                                                             {"validation", SessionRole::kValidation}};
 
-inline constexpr NamedValue<ToneMap> kToneMaps[] = {
+inline constexpr NameWithValue<ToneMap> kToneMaps[] = {
     {"none", ToneMap::kNone}, {"reinhard", ToneMap::kReinhard}, {"aces", ToneMap::kAces}};
 
 inline constexpr const char* kColorFormats[] = {"rgba8_unorm", "rgba16_sfloat", "rgba32_sfloat"};
@@ -62,8 +62,8 @@ inline constexpr int kMaxTrackValues = 256;
 inline constexpr int kMaxEntries = 1024;  // objects, textures, sessions, key frames, profile points
 
 template <typename T, std::size_t N>
-const char* spellingOf(const NamedValue<T> (&table)[N], T value) {
-  for (const NamedValue<T>& named : table) {
+const char* spellingOf(const NameWithValue<T> (&table)[N], T value) {
+  for (const NameWithValue<T>& named : table) {
     if (named.value == value) return named.name;
   }
   return table[0].name;

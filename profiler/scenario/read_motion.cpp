@@ -7,7 +7,7 @@ namespace reprise {
 namespace {
 
 void readTrackAt(TableReader& reader, const std::string& key, Track& track, Need need = Need::kOptional) {
-  const Node* node = reader.find(key, need);
+  const TomlNode* node = reader.find(key, need);
   if (!node) return;
   const std::string what = "'" + key + "' of " + reader.what();
   if (std::optional<Track> read = readTrack(*node, what, 3, reader.diagnostics())) track = *read;
@@ -15,7 +15,7 @@ void readTrackAt(TableReader& reader, const std::string& key, Track& track, Need
 
 // One number stands for the same scale along all axes.
 void readScale(TableReader& reader, Track& scale) {
-  const Node* node = reader.find("scale");
+  const TomlNode* node = reader.find("scale");
   if (!node || !node->isNumber()) return readTrackAt(reader, "scale", scale);
   float factor = 1;
   reader.readNumber("scale", factor, kPositive);
@@ -30,7 +30,7 @@ void readDirection(TableReader& reader, const std::string& key, std::array<float
                            reader.find(key)->place);
 }
 
-OrbitPath readOrbit(const Node& node, const std::string& what, Diagnostics& diagnostics) {
+OrbitPath readOrbit(const TomlNode& node, const std::string& what, Diagnostics& diagnostics) {
   OrbitPath orbit;
   TableReader reader(node, "'orbit' of " + what, diagnostics);
   reader.readNumbers("target", orbit.target);
@@ -43,7 +43,7 @@ OrbitPath readOrbit(const Node& node, const std::string& what, Diagnostics& diag
 }
 
 CameraPath readCameraPath(TableReader& reader) {
-  if (const Node* orbit = reader.find("orbit")) {
+  if (const TomlNode* orbit = reader.find("orbit")) {
     for (const char* key : {"eye", "target"}) {
       if (!reader.has(key)) continue;
       reader.diagnostics().add("value",
@@ -68,7 +68,7 @@ CameraPath readCameraPath(TableReader& reader) {
 
 }  // namespace
 
-Motion readMotion(const Node& node, const std::string& what, Diagnostics& diagnostics) {
+Motion readMotion(const TomlNode& node, const std::string& what, Diagnostics& diagnostics) {
   Motion motion;
   TableReader reader(node, what, diagnostics);
   readTrackAt(reader, "translate", motion.translate);
@@ -80,7 +80,7 @@ Motion readMotion(const Node& node, const std::string& what, Diagnostics& diagno
   return motion;
 }
 
-Camera readCamera(const Node& node, const std::string& what, Diagnostics& diagnostics) {
+Camera readCamera(const TomlNode& node, const std::string& what, Diagnostics& diagnostics) {
   Camera camera;
   TableReader reader(node, what, diagnostics);
   camera.path = readCameraPath(reader);
@@ -107,7 +107,7 @@ Camera readCamera(const Node& node, const std::string& what, Diagnostics& diagno
 namespace {
 
 void readProfile(TableReader& reader, std::vector<std::array<float, 2>>& profile) {
-  const Node* node = reader.find("profile", Need::kRequired);
+  const TomlNode* node = reader.find("profile", Need::kRequired);
   if (!node) return;
   const std::string what = "'profile' of " + reader.what();
   if (node->kind != NodeKind::kArray || node->elements.size() < 2 || node->elements.size() > kMaxEntries) {
@@ -117,7 +117,7 @@ void readProfile(TableReader& reader, std::vector<std::array<float, 2>>& profile
                              node->place);
     return;
   }
-  for (const Node& point : node->elements) {
+  for (const TomlNode& point : node->elements) {
     std::array<float, 2> values = {0, 0};
     if (point.kind != NodeKind::kArray || point.elements.size() != 2) {
       reader.diagnostics().add("type",
@@ -168,7 +168,7 @@ void readShape(TableReader& reader, MeshSpec& mesh) {
 
 }  // namespace
 
-MeshSpec readMesh(const Node& node, const std::string& what, Diagnostics& diagnostics) {
+MeshSpec readMesh(const TomlNode& node, const std::string& what, Diagnostics& diagnostics) {
   MeshSpec mesh;
   TableReader reader(node, what, diagnostics);
   if (!reader.has("kind")) reader.find("kind", Need::kRequired);

@@ -11,7 +11,7 @@ namespace {
 namespace fs = std::filesystem;
 
 template <typename Named>
-void expectDistinct(const std::vector<Named>& named, const std::vector<const Node*>& nodes,
+void expectDistinct(const std::vector<Named>& named, const std::vector<const TomlNode*>& nodes,
                     const std::string& noun, Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < named.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -26,16 +26,16 @@ void expectDistinct(const std::vector<Named>& named, const std::vector<const Nod
 }
 
 void readObjects(TableReader& root, Scenario& scenario) {
-  const std::vector<const Node*> nodes = root.findTables("object");
-  for (const Node* node : nodes) {
+  const std::vector<const TomlNode*> nodes = root.findTables("object");
+  for (const TomlNode* node : nodes) {
     Object object;
     TableReader reader(*node, "[[object]] " + std::to_string(scenario.objects.size() + 1),
                        root.diagnostics());
     readName(reader, object.name);
-    if (const Node* mesh = reader.find("mesh", Need::kRequired)) {
+    if (const TomlNode* mesh = reader.find("mesh", Need::kRequired)) {
       object.mesh = readMesh(*mesh, "'mesh' of object '" + object.name + "'", root.diagnostics());
     }
-    if (const Node* motion = reader.find("motion")) {
+    if (const TomlNode* motion = reader.find("motion")) {
       object.motion = readMotion(*motion, "'motion' of object '" + object.name + "'", root.diagnostics());
     }
     reader.finish();
@@ -49,14 +49,14 @@ void readObjects(TableReader& root, Scenario& scenario) {
 }
 
 void readTextures(TableReader& root, const fs::path& directory, Scenario& scenario) {
-  const std::vector<const Node*> nodes = root.findTables("texture");
-  for (const Node* node : nodes)
+  const std::vector<const TomlNode*> nodes = root.findTables("texture");
+  for (const TomlNode* node : nodes)
     scenario.textures.push_back(readTexture(*node, directory, root.diagnostics()));
   expectDistinct(scenario.textures, nodes, "textures", root.diagnostics());
 }
 
 // Reverse Z and the comparison must agree, else the farthest surface wins.
-void checkDepthOrder(const SessionSpec& session, const RenderState& state, const Node& node,
+void checkDepthOrder(const SessionSpec& session, const RenderState& state, const TomlNode& node,
                      Diagnostics& diagnostics) {
   const bool greater =
       state.compare == DepthCompare::kGreater || state.compare == DepthCompare::kGreaterOrEqual;
@@ -70,9 +70,9 @@ void checkDepthOrder(const SessionSpec& session, const RenderState& state, const
 }
 
 void readSessions(TableReader& root, Scenario& scenario) {
-  const std::vector<const Node*> nodes = root.findTables("session");
+  const std::vector<const TomlNode*> nodes = root.findTables("session");
   bool training = false, validation = false;
-  for (const Node* node : nodes) {
+  for (const TomlNode* node : nodes) {
     SessionSpec session = readSession(*node, scenario, root.diagnostics());
     checkDepthOrder(session, scenario.state, *node, root.diagnostics());
     (session.role == SessionRole::kTraining ? training : validation) = true;
@@ -87,15 +87,15 @@ void readSessions(TableReader& root, Scenario& scenario) {
     root.diagnostics().add("value", "there is no validation session, " + missing + "\"validation\"", place);
 }
 
-void readRoot(const Node& document, const fs::path& directory, Scenario& scenario, Diagnostics& diagnostics) {
+void readRoot(const TomlNode& document, const fs::path& directory, Scenario& scenario, Diagnostics& diagnostics) {
   TableReader root(document, "the scenario", diagnostics);
   root.readText("name", scenario.name);
-  if (const Node* shader = root.find("shader", Need::kRequired))
+  if (const TomlNode* shader = root.find("shader", Need::kRequired))
     readShader(*shader, directory, scenario, diagnostics);
-  if (const Node* render = root.find("render")) readRender(*render, scenario, diagnostics);
+  if (const TomlNode* render = root.find("render")) readRender(*render, scenario, diagnostics);
   readObjects(root, scenario);
   scenario.uniforms_place = {scenario.path, 0, 0};
-  if (const Node* uniforms = root.find("uniforms")) {
+  if (const TomlNode* uniforms = root.find("uniforms")) {
     scenario.uniforms_place = uniforms->place;
     scenario.uniforms = readUniforms(*uniforms, diagnostics);
   }
@@ -108,7 +108,7 @@ void readRoot(const Node& document, const fs::path& directory, Scenario& scenari
 
 Result<Scenario> readScenario(const fs::path& path) {
   REPRISE_ASSIGN(const std::string text, readFile(path));
-  REPRISE_ASSIGN(const Node document, parseDocument(text, path.string()));
+  REPRISE_ASSIGN(const TomlNode document, parseDocument(text, path.string()));
   Scenario scenario;
   std::error_code status;
   const fs::path absolute = fs::absolute(path, status).lexically_normal();

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string readPath(TableReader& reader, const std::string& key, const fs::path& directory) {
-  const Node* node = reader.find(key, Need::kRequired);
+  const TomlNode* node = reader.find(key, Need::kRequired);
   std::string text;
   reader.readText(key, text);
   return text.empty() ? text : resolvePath(*node, directory, false, reader.diagnostics());
@@ -26,10 +26,10 @@ bool isIdentifier(const std::string& name) {
          std::all_of(name.begin(), name.end(), fits);
 }
 
-void readDefines(const Node& node, Scenario& scenario, Diagnostics& diagnostics) {
+void readDefines(const TomlNode& node, Scenario& scenario, Diagnostics& diagnostics) {
   TableReader reader(node, "'defines' of [shader]", diagnostics);
   for (const Entry& entry : node.entries) {
-    const Node& value = entry.value;
+    const TomlNode& value = entry.value;
     if (!isIdentifier(entry.key)) {
       diagnostics.add("value",
                       "'" + entry.key + "' cannot be defined, expected a name of letters, digits and '_'",
@@ -52,7 +52,7 @@ void readDefines(const Node& node, Scenario& scenario, Diagnostics& diagnostics)
 }
 
 void readPeriods(TableReader& reader, std::vector<std::uint32_t>& periods) {
-  const Node* node = reader.find("periods");
+  const TomlNode* node = reader.find("periods");
   if (!node) return;
   const std::string expected = ", expected 1, 2, 4, ... 64 or \"never\"";
   Diagnostics& diagnostics = reader.diagnostics();
@@ -63,7 +63,7 @@ void readPeriods(TableReader& reader, std::vector<std::uint32_t>& periods) {
     return;
   }
   std::vector<std::uint32_t> read;
-  for (const Node& element : node->elements) {
+  for (const TomlNode& element : node->elements) {
     const bool never = element.kind == NodeKind::kText && element.text == "never";
     if (element.kind != NodeKind::kInteger && !never) {
       diagnostics.add(element.kind == NodeKind::kText ? "value" : "type",
@@ -86,7 +86,7 @@ void readPeriods(TableReader& reader, std::vector<std::uint32_t>& periods) {
 }
 
 void readFormats(TableReader& reader, std::vector<std::string>& formats) {
-  const Node* node = reader.find("formats");
+  const TomlNode* node = reader.find("formats");
   if (!node) return;
   Diagnostics& diagnostics = reader.diagnostics();
   if (node->kind != NodeKind::kArray || node->elements.size() > 8) {
@@ -97,7 +97,7 @@ void readFormats(TableReader& reader, std::vector<std::string>& formats) {
     return;
   }
   const std::vector<std::string> known(std::begin(kColorFormats), std::end(kColorFormats));
-  for (const Node& element : node->elements) {
+  for (const TomlNode& element : node->elements) {
     const bool is_text = element.kind == NodeKind::kText;
     if (!is_text || std::find(known.begin(), known.end(), element.text) == known.end()) {
       diagnostics.add(is_text ? "value" : "type",
@@ -110,7 +110,7 @@ void readFormats(TableReader& reader, std::vector<std::string>& formats) {
 
 UniformBinding readUniform(const std::string& member, const Entry& entry, Diagnostics& diagnostics) {
   UniformBinding binding{member, FixedTrack{{0}}, entry.key_place};
-  const Node& value = entry.value;
+  const TomlNode& value = entry.value;
   if (value.kind != NodeKind::kText) {
     if (std::optional<Track> track = readTrack(value, "uniform '" + member + "'", 0, diagnostics))
       binding.source = *track;
@@ -131,11 +131,11 @@ UniformBinding readUniform(const std::string& member, const Entry& entry, Diagno
 }
 
 void readSessionMotions(TableReader& reader, const Scenario& scenario, SessionSpec& session) {
-  const Node* node = reader.find("motions");
+  const TomlNode* node = reader.find("motions");
   if (!node) return;
   TableReader motions(*node, "'motions' of session '" + session.name + "'", reader.diagnostics());
   for (const Object& object : scenario.objects) {
-    const Node* motion = motions.find(object.name);
+    const TomlNode* motion = motions.find(object.name);
     if (!motion) continue;
     session.motions[object.name] =
         readMotion(*motion, "the motion of '" + object.name + "' in session '" + session.name + "'",
@@ -145,11 +145,11 @@ void readSessionMotions(TableReader& reader, const Scenario& scenario, SessionSp
 }
 
 void readSessionUniforms(TableReader& reader, const Scenario& scenario, SessionSpec& session) {
-  const Node* node = reader.find("uniforms");
+  const TomlNode* node = reader.find("uniforms");
   if (!node) return;
   TableReader uniforms(*node, "'uniforms' of session '" + session.name + "'", reader.diagnostics());
   for (const UniformBinding& binding : scenario.uniforms) {
-    const Node* value = uniforms.find(binding.member);
+    const TomlNode* value = uniforms.find(binding.member);
     if (!value) continue;
     const auto* base = std::get_if<Track>(&binding.source);
     const std::string what = "uniform '" + binding.member + "' in session '" + session.name + "'";
@@ -175,7 +175,7 @@ void readName(TableReader& reader, std::string& name) {
                            reader.find("name")->place);
 }
 
-std::string resolvePath(const Node& node, const fs::path& directory, bool is_directory,
+std::string resolvePath(const TomlNode& node, const fs::path& directory, bool is_directory,
                         Diagnostics& diagnostics) {
   const fs::path path = (directory / node.text).lexically_normal();
   std::error_code status;
@@ -193,18 +193,18 @@ std::string resolvePath(const Node& node, const fs::path& directory, bool is_dir
   return path.string();
 }
 
-void readShader(const Node& node, const fs::path& directory, Scenario& scenario, Diagnostics& diagnostics) {
+void readShader(const TomlNode& node, const fs::path& directory, Scenario& scenario, Diagnostics& diagnostics) {
   TableReader reader(node, "[shader]", diagnostics);
   scenario.fragment_path = readPath(reader, "fragment", directory);
   scenario.vertex_path = readPath(reader, "vertex", directory);
-  if (const Node* folders = reader.find("include_dirs")) {
+  if (const TomlNode* folders = reader.find("include_dirs")) {
     if (folders->kind != NodeKind::kArray) {
       diagnostics.add(
           "type",
           "'include_dirs' of [shader] is " + describeNode(*folders) + ", expected an array of folders",
           folders->place);
     }
-    for (const Node& folder : folders->elements) {
+    for (const TomlNode& folder : folders->elements) {
       if (folder.kind != NodeKind::kText) {
         diagnostics.add("type",
                         "an include folder is " + describeNode(folder) + ", expected a text in quotes",
@@ -214,11 +214,11 @@ void readShader(const Node& node, const fs::path& directory, Scenario& scenario,
       scenario.include_dirs.push_back(resolvePath(folder, directory, true, diagnostics));
     }
   }
-  if (const Node* defines = reader.find("defines")) readDefines(*defines, scenario, diagnostics);
+  if (const TomlNode* defines = reader.find("defines")) readDefines(*defines, scenario, diagnostics);
   reader.finish();
 }
 
-void readRender(const Node& node, Scenario& scenario, Diagnostics& diagnostics) {
+void readRender(const TomlNode& node, Scenario& scenario, Diagnostics& diagnostics) {
   TableReader reader(node, "[render]", diagnostics);
   reader.readUnsigned("width", scenario.width, {1, kMaxResolution});
   reader.readUnsigned("height", scenario.height, {1, kMaxResolution});
@@ -236,7 +236,7 @@ void readRender(const Node& node, Scenario& scenario, Diagnostics& diagnostics) 
   reader.finish();
 }
 
-std::vector<UniformBinding> readUniforms(const Node& node, Diagnostics& diagnostics) {
+std::vector<UniformBinding> readUniforms(const TomlNode& node, Diagnostics& diagnostics) {
   std::vector<UniformBinding> bindings;
   TableReader reader(node, "[uniforms]", diagnostics);
   const auto add = [&](const std::string& member, const Entry& entry) {
@@ -261,12 +261,12 @@ std::vector<UniformBinding> readUniforms(const Node& node, Diagnostics& diagnost
   return bindings;
 }
 
-TextureSpec readTexture(const Node& node, const fs::path& directory, Diagnostics& diagnostics) {
+TextureSpec readTexture(const TomlNode& node, const fs::path& directory, Diagnostics& diagnostics) {
   TextureSpec texture;
   TableReader reader(node, "[[texture]]", diagnostics);
   reader.readText("name", texture.name, Need::kRequired);
   texture.place = node.place;
-  if (const Node* name = reader.find("name")) texture.place = name->place;
+  if (const TomlNode* name = reader.find("name")) texture.place = name->place;
   const std::size_t errors_before = diagnostics.errors.size();
   if (reader.has("file"))
     texture.kind = TextureKind::kFile;
@@ -292,13 +292,13 @@ TextureSpec readTexture(const Node& node, const fs::path& directory, Diagnostics
   return texture;
 }
 
-SessionSpec readSession(const Node& node, const Scenario& scenario, Diagnostics& diagnostics) {
+SessionSpec readSession(const TomlNode& node, const Scenario& scenario, Diagnostics& diagnostics) {
   SessionSpec session;
   TableReader reader(node, "[[session]]", diagnostics);
   readName(reader, session.name);
   if (!reader.has("role")) reader.find("role", Need::kRequired);
   reader.readChoice("role", session.role, kSessionRoles);
-  if (const Node* camera = reader.find("camera", Need::kRequired)) {
+  if (const TomlNode* camera = reader.find("camera", Need::kRequired)) {
     session.camera = readCamera(*camera, "'camera' of session '" + session.name + "'", diagnostics);
   }
   if (reader.has("frames"))

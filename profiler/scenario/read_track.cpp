@@ -6,7 +6,7 @@ namespace {
 
 // Numbers of one time: a number or an array of them. Empty where the node is something else (which is
 // reported).
-std::vector<float> readValues(const Node& node, const std::string& what, Diagnostics& diagnostics) {
+std::vector<float> readValues(const TomlNode& node, const std::string& what, Diagnostics& diagnostics) {
   std::vector<float> values;
   if (node.kind != NodeKind::kArray) {
     float value = 0;
@@ -30,7 +30,7 @@ std::vector<float> readValues(const Node& node, const std::string& what, Diagnos
 }
 
 std::vector<float> readValuesAt(TableReader& reader, const std::string& key) {
-  const Node* node = reader.find(key, Need::kRequired);
+  const TomlNode* node = reader.find(key, Need::kRequired);
   return node ? readValues(*node, "'" + key + "' of " + reader.what(), reader.diagnostics())
               : std::vector<float>();
 }
@@ -43,7 +43,7 @@ void expectSameSize(const std::vector<float>& first, const std::vector<float>& s
       reader.table().place);
 }
 
-KeyFramesTrack readKeyFrames(const Node& node, const std::string& what, Diagnostics& diagnostics) {
+KeyFramesTrack readKeyFrames(const TomlNode& node, const std::string& what, Diagnostics& diagnostics) {
   KeyFramesTrack track;
   if (node.kind != NodeKind::kArray || node.elements.empty() || node.elements.size() > kMaxEntries) {
     diagnostics.add("type",
@@ -52,11 +52,11 @@ KeyFramesTrack readKeyFrames(const Node& node, const std::string& what, Diagnost
                     node.place);
     return track;
   }
-  for (const Node& element : node.elements) {
+  for (const TomlNode& element : node.elements) {
     TableReader reader(element, "key frame " + std::to_string(track.times_s.size() + 1) + " of " + what,
                        diagnostics);
     float at_s = 0;
-    if (const Node* at = reader.find("at_s", Need::kRequired)) {
+    if (const TomlNode* at = reader.find("at_s", Need::kRequired)) {
       numberOf(*at, "'at_s' of " + reader.what(), kNotNegative, at_s, diagnostics);
     }
     std::vector<float> value = readValuesAt(reader, "value");
@@ -75,7 +75,7 @@ KeyFramesTrack readKeyFrames(const Node& node, const std::string& what, Diagnost
   return track;
 }
 
-OscillationTrack readOscillation(const Node& node, const std::string& what, Diagnostics& diagnostics) {
+OscillationTrack readOscillation(const TomlNode& node, const std::string& what, Diagnostics& diagnostics) {
   OscillationTrack track;
   TableReader reader(node, "'oscillate' of " + what, diagnostics);
   track.base = readValuesAt(reader, "base");
@@ -88,7 +88,7 @@ OscillationTrack readOscillation(const Node& node, const std::string& what, Diag
   return track;
 }
 
-RandomWalkTrack readRandomWalk(const Node& node, const std::string& what, Diagnostics& diagnostics) {
+RandomWalkTrack readRandomWalk(const TomlNode& node, const std::string& what, Diagnostics& diagnostics) {
   RandomWalkTrack track;
   TableReader reader(node, "'random_walk' of " + what, diagnostics);
   track.base = readValuesAt(reader, "base");
@@ -106,23 +106,23 @@ RandomWalkTrack readRandomWalk(const Node& node, const std::string& what, Diagno
   return track;
 }
 
-std::optional<Track> readTrackTable(const Node& node, const std::string& what, Diagnostics& diagnostics) {
+std::optional<Track> readTrackTable(const TomlNode& node, const std::string& what, Diagnostics& diagnostics) {
   TableReader reader(node, what, diagnostics);
   std::optional<Track> track;
   int forms = 0;
-  if (const Node* value = reader.find("value")) {
+  if (const TomlNode* value = reader.find("value")) {
     track = FixedTrack{readValues(*value, "'value' of " + what, diagnostics)};
     ++forms;
   }
-  if (const Node* keys = reader.find("key_frames")) {
+  if (const TomlNode* keys = reader.find("key_frames")) {
     track = readKeyFrames(*keys, what, diagnostics);
     ++forms;
   }
-  if (const Node* oscillation = reader.find("oscillate")) {
+  if (const TomlNode* oscillation = reader.find("oscillate")) {
     track = readOscillation(*oscillation, what, diagnostics);
     ++forms;
   }
-  if (const Node* walk = reader.find("random_walk")) {
+  if (const TomlNode* walk = reader.find("random_walk")) {
     track = readRandomWalk(*walk, what, diagnostics);
     ++forms;
   }
@@ -140,7 +140,7 @@ std::optional<Track> readTrackTable(const Node& node, const std::string& what, D
 
 }  // namespace
 
-std::optional<Track> readTrack(const Node& node, const std::string& what, std::size_t components,
+std::optional<Track> readTrack(const TomlNode& node, const std::string& what, std::size_t components,
                                Diagnostics& diagnostics) {
   const std::size_t errors_before = diagnostics.errors.size();
   std::optional<Track> track;

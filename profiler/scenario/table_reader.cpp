@@ -29,7 +29,7 @@ bool within(double value, Range range) {
   return (range.low_open ? value > range.low : value >= range.low) && value <= range.high;
 }
 
-bool integerOf(const Node& node, const std::string& what, Range range, Diagnostics& diagnostics) {
+bool integerOf(const TomlNode& node, const std::string& what, Range range, Diagnostics& diagnostics) {
   const std::string message =
       what + " is " + describeNode(node) + ", expected " + describeRange("an integer", range);
   if (node.kind != NodeKind::kInteger)
@@ -43,7 +43,7 @@ bool integerOf(const Node& node, const std::string& what, Range range, Diagnosti
 
 }  // namespace
 
-bool numberOf(const Node& node, const std::string& what, Range range, float& value,
+bool numberOf(const TomlNode& node, const std::string& what, Range range, float& value,
               Diagnostics& diagnostics) {
   const std::string message =
       what + " is " + describeNode(node) + ", expected " + describeRange("a number", range);
@@ -61,7 +61,7 @@ bool numberOf(const Node& node, const std::string& what, Range range, float& val
   return true;
 }
 
-TableReader::TableReader(const Node& table, std::string what, Diagnostics& diagnostics)
+TableReader::TableReader(const TomlNode& table, std::string what, Diagnostics& diagnostics)
     : table_(table), what_(std::move(what)), diagnostics_(diagnostics) {
   if (table.kind != NodeKind::kTable) {
     diagnostics_.add("type", what_ + " is " + describeNode(table) + ", expected a table { key = value, ... }",
@@ -74,7 +74,7 @@ bool TableReader::has(const std::string& key) const {
                      [&](const Entry& entry) { return entry.key == key; });
 }
 
-const Node* TableReader::find(const std::string& key, Need need) {
+const TomlNode* TableReader::find(const std::string& key, Need need) {
   known_.push_back(key);
   for (const Entry& entry : table_.entries) {
     if (entry.key == key) return &entry.value;
@@ -86,7 +86,7 @@ const Node* TableReader::find(const std::string& key, Need need) {
 }
 
 void TableReader::readText(const std::string& key, std::string& value, Need need) {
-  const Node* node = find(key, need);
+  const TomlNode* node = find(key, need);
   if (!node) return;
   if (node->kind != NodeKind::kText) {
     diagnostics_.add(
@@ -100,7 +100,7 @@ void TableReader::readText(const std::string& key, std::string& value, Need need
 }
 
 void TableReader::readBoolean(const std::string& key, bool& value) {
-  const Node* node = find(key);
+  const TomlNode* node = find(key);
   if (!node) return;
   if (node->kind == NodeKind::kBoolean) {
     value = node->boolean;
@@ -112,11 +112,11 @@ void TableReader::readBoolean(const std::string& key, bool& value) {
 }
 
 void TableReader::readNumber(const std::string& key, float& value, Range range) {
-  if (const Node* node = find(key)) numberOf(*node, "'" + key + "' of " + what_, range, value, diagnostics_);
+  if (const TomlNode* node = find(key)) numberOf(*node, "'" + key + "' of " + what_, range, value, diagnostics_);
 }
 
 void TableReader::readNumbers(const std::string& key, std::span<float> value, Range range) {
-  const Node* node = find(key);
+  const TomlNode* node = find(key);
   if (!node) return;
   const std::string name = "'" + key + "' of " + what_;
   if (node->kind != NodeKind::kArray || node->elements.size() != value.size()) {
@@ -133,20 +133,20 @@ void TableReader::readNumbers(const std::string& key, std::span<float> value, Ra
 }
 
 void TableReader::readInteger(const std::string& key, int& value, Range range) {
-  const Node* node = find(key);
+  const TomlNode* node = find(key);
   if (node && integerOf(*node, "'" + key + "' of " + what_, range, diagnostics_))
     value = static_cast<int>(node->integer);
 }
 
 void TableReader::readUnsigned(const std::string& key, std::uint32_t& value, Range range) {
-  const Node* node = find(key);
+  const TomlNode* node = find(key);
   if (node && integerOf(*node, "'" + key + "' of " + what_, range, diagnostics_))
     value = static_cast<std::uint32_t>(node->integer);
 }
 
-std::vector<const Node*> TableReader::findTables(const std::string& key) {
-  const Node* node = find(key);
-  std::vector<const Node*> tables;
+std::vector<const TomlNode*> TableReader::findTables(const std::string& key) {
+  const TomlNode* node = find(key);
+  std::vector<const TomlNode*> tables;
   if (!node) return tables;
   if (node->kind != NodeKind::kArray) {
     diagnostics_.add("type",
@@ -162,7 +162,7 @@ std::vector<const Node*> TableReader::findTables(const std::string& key) {
                      node->place);
     return tables;
   }
-  for (const Node& element : node->elements) tables.push_back(&element);
+  for (const TomlNode& element : node->elements) tables.push_back(&element);
   return tables;
 }
 
@@ -175,7 +175,7 @@ void TableReader::finish() {
   }
 }
 
-std::size_t TableReader::indexOfChoice(const std::string& key, const Node& node,
+std::size_t TableReader::indexOfChoice(const std::string& key, const TomlNode& node,
                                        std::span<const std::string> names) {
   if (node.kind == NodeKind::kText) {
     const auto found = std::find(names.begin(), names.end(), node.text);

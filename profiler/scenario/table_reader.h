@@ -30,12 +30,12 @@ class TableReader {
  public:
   // `what` names the table in messages: "[render]", "object 'knot'". A node that is no table is reported, and
   // then every key is absent.
-  TableReader(const Node& table, std::string what, Diagnostics& diagnostics);
+  TableReader(const TomlNode& table, std::string what, Diagnostics& diagnostics);
 
   // The value of a key, or null; from then on the key is known.
-  const Node* find(const std::string& key, Need need = Need::kOptional);
+  const TomlNode* find(const std::string& key, Need need = Need::kOptional);
   bool has(const std::string& key) const;
-  const Node& table() const { return table_; }
+  const TomlNode& table() const { return table_; }
   const std::string& what() const { return what_; }
   Diagnostics& diagnostics() { return diagnostics_; }
 
@@ -48,18 +48,18 @@ class TableReader {
   void readUnsigned(const std::string& key, std::uint32_t& value,
                     Range range = {0, std::numeric_limits<std::uint32_t>::max()});
   template <typename T, std::size_t N>
-  void readChoice(const std::string& key, T& value, const NamedValue<T> (&choices)[N]);
+  void readChoice(const std::string& key, T& value, const NameWithValue<T> (&choices)[N]);
 
   // The tables of an array of tables ([[object]]); empty where it is absent.
-  std::vector<const Node*> findTables(const std::string& key);
+  std::vector<const TomlNode*> findTables(const std::string& key);
 
   // Reports the keys that nobody asked for.
   void finish();
 
  private:
-  std::size_t indexOfChoice(const std::string& key, const Node& node, std::span<const std::string> names);
+  std::size_t indexOfChoice(const std::string& key, const TomlNode& node, std::span<const std::string> names);
 
-  const Node& table_;
+  const TomlNode& table_;
   std::string what_;
   Diagnostics& diagnostics_;
   std::vector<std::string> known_;
@@ -67,14 +67,14 @@ class TableReader {
 
 // A finite number in range, as float; false and a diagnostic where it is none. `what` names it in the
 // message.
-bool numberOf(const Node& node, const std::string& what, Range range, float& value, Diagnostics& diagnostics);
+bool numberOf(const TomlNode& node, const std::string& what, Range range, float& value, Diagnostics& diagnostics);
 
 template <typename T, std::size_t N>
-void TableReader::readChoice(const std::string& key, T& value, const NamedValue<T> (&choices)[N]) {
-  const Node* node = find(key);
+void TableReader::readChoice(const std::string& key, T& value, const NameWithValue<T> (&choices)[N]) {
+  const TomlNode* node = find(key);
   if (!node) return;
   std::vector<std::string> names;
-  for (const NamedValue<T>& choice : choices) names.emplace_back(choice.name);
+  for (const NameWithValue<T>& choice : choices) names.emplace_back(choice.name);
   const std::size_t index = indexOfChoice(key, *node, names);
   if (index < N) value = choices[index].value;
 }
