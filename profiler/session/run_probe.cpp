@@ -103,7 +103,8 @@ Result<JobResult> runProbe(const Job& job, const JobListener& progress) {
       REPRISE_TRY(render(players[entry]));
       REPRISE_ASSIGN(const std::vector<float> cache, readResource(*stage, readback, players[entry], "cache"));
       REPRISE_ASSIGN(const std::vector<float> depth, readResource(*stage, readback, players[entry], "cache_depth"));
-      widen(players[entry], {cache, depth, covered}, result.probes[entry]);
+      // Entries that keep nothing, such as the original, are probed for their colours alone.
+      if (!cache.empty()) widen(players[entry], {cache, depth, covered}, result.probes[entry]);
       result.probes[entry].nonfinite_color += nonfinite;
     }
     if (progress) progress({step + 1, frames});

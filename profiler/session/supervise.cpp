@@ -60,7 +60,8 @@ class Worker {
     errors_.closeWrite();
     ::fcntl(output_.read, F_SETFL, O_NONBLOCK);
     ::fcntl(errors_.read, F_SETFL, O_NONBLOCK);
-    send(job);
+    ::fcntl(input_.write, F_SETFL, O_NONBLOCK);
+    unsent_ = job;
     return {};
   }
 
@@ -68,9 +69,10 @@ class Worker {
   Result<JobResult> listen(const SupervisorOptions& options, const std::function<void(const JobProgress&)>& progress) {
     auto heard = std::chrono::steady_clock::now();
     while (true) {
-      std::array<pollfd, 2> ends{{{output_.read, POLLIN, 0}, {errors_.read, POLLIN, 0}}};
+      std::array<pollfd, 3> ends{{{output_.read, POLLIN, 0}, {errors_.read, POLLIN, 0}, {input_.write, POLLOUT, 0}}};
       ::poll(ends.data(), ends.size(), kPollMs);
-      drain(errors_.read, stderr_tail_);
+      send();
+      if (!drain(errors_.read, stderr_tail_)) errors_.closeRead();
       if (stderr_tail_.size() > 4 * kStderrTail) stderr_tail_.erase(0, stderr_tail_.size() - kStderrTail);
       const bool open = drain(output_.read, buffer_);
       for (std::size_t end = buffer_.find('\n'); end != std::string::npos; end = buffer_.find('\n')) {
@@ -79,7 +81,7 @@ class Worker {
         heard = std::chrono::steady_clock::now();
         if (auto answer = understand(line, progress)) return std::move(*answer);
       }
-      if (!open) return death();
+      if (!open) return death(options.silence_timeout_s);
       if (options.interrupted && options.interrupted()) {
         kill();
         return Error{ErrorKind::kInterrupted, "run.interrupted", "interrupted; run the same command again to go on from here", {}};
@@ -109,31 +111,37 @@ class Worker {
     ::_exit(127);
   }
 
-  void send(const std::string& job) {
-    // A worker that died at once must not take the supervisor with it.
+  // As much of the job as the pipe takes now: a worker that never reads it must not hold up the supervisor.
+  void send() {
+    if (input_.write < 0) return;
+    // Nor must a worker that died at once take the supervisor with it.
     struct sigaction ignore {}, before {};
     ignore.sa_handler = SIG_IGN;
     ::sigaction(SIGPIPE, &ignore, &before);
-    std::size_t sent = 0;
-    while (sent < job.size()) {
-      const ssize_t written = ::write(input_.write, job.data() + sent, job.size() - sent);
+    while (!unsent_.empty()) {
+      const ssize_t written = ::write(input_.write, unsent_.data(), unsent_.size());
       if (written < 0 && errno == EINTR) continue;
-      if (written <= 0) break;
-      sent += static_cast<std::size_t>(written);
+      if (written < 0 && errno == EAGAIN) break;
+      if (written <= 0) {
+        unsent_.clear();
+      } else {
+        unsent_.erase(0, static_cast<std::size_t>(written));
+      }
     }
-    input_.closeWrite();
     ::sigaction(SIGPIPE, &before, nullptr);
+    if (unsent_.empty()) input_.closeWrite();
   }
 
   // False at the end of the stream.
   static bool drain(int descriptor, std::string& into) {
     std::array<char, 65536> chunk;
-    while (true) {
+    while (descriptor >= 0) {
       const ssize_t count = ::read(descriptor, chunk.data(), chunk.size());
       if (count == 0) return false;
       if (count < 0) return errno == EAGAIN || errno == EINTR;
       into.append(chunk.data(), static_cast<std::size_t>(count));
     }
+    return false;
   }
 
   std::optional<Result<JobResult>> understand(const std::string& line, const std::function<void(const JobProgress&)>& progress) {
@@ -153,10 +161,20 @@ class Worker {
     }
   }
 
-  Error death() {
+  // Of a worker that has closed its output; one that goes on without it is ended.
+  Error death(double timeout_s) {
     int status = 0;
-    ::waitpid(pid_, &status, 0);
+    const auto closed = std::chrono::steady_clock::now();
+    while (::waitpid(pid_, &status, WNOHANG) == 0) {
+      if (std::chrono::duration<double>(std::chrono::steady_clock::now() - closed).count() > timeout_s) {
+        kill();
+        return {ErrorKind::kMeasurement, "worker.timeout",
+                "the measuring process closed its output without an answer, went on and was ended" + whereabouts() + tail(), {}};
+      }
+      ::poll(nullptr, 0, 1);
+    }
     pid_ = -1;
+    drain(errors_.read, stderr_tail_);
     const std::string how = WIFSIGNALED(status) ? std::string("was ended by ") + ::strsignal(WTERMSIG(status))
                                                 : "ended with status " + std::to_string(WEXITSTATUS(status)) + " and no answer";
     return {ErrorKind::kMeasurement, "worker.crashed", "the measuring process " + how + whereabouts() + tail(), {}};
@@ -183,7 +201,7 @@ class Worker {
 
   pid_t pid_ = -1;
   Pipe input_, output_, errors_;
-  std::string buffer_, stderr_tail_;
+  std::string unsent_, buffer_, stderr_tail_;
   JobProgress last_;
 };
 

@@ -79,6 +79,10 @@ mesh = { kind = "sphere" }
 name = "still"
 role = "training"
 camera = { eye = [0, 0, 4], target = [0, 0, 0] }
+[[session]]
+name = "far"
+role = "validation"
+camera = { eye = [0, 0, 6], target = [0, 0, 0] }
 )";
 
 class Infinite : public testing::Test {

@@ -31,8 +31,9 @@ MeasuredScene::MeasuredScene(const std::string& scenario)
   REPRISE_CHECK(written.ok(), formatError(written.error()));
 }
 
-std::string MeasuredScene::variant(const std::string& name, const VariantOptions& options) const {
-  const auto found = std::find_if(candidates_.begin(), candidates_.end(), [](const Candidate& candidate) {
+std::string MeasuredScene::variant(const std::string& name, const VariantOptions& options, const std::string& payload) const {
+  const auto found = std::find_if(candidates_.begin(), candidates_.end(), [&](const Candidate& candidate) {
+    if (!payload.empty()) return candidate.name == payload;
     return candidate.kept() && !candidate.conditional && candidate.share < 0.9;
   });
   REPRISE_CHECK(found != candidates_.end(), scenario_);

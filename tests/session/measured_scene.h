@@ -19,8 +19,9 @@ class MeasuredScene {
   const std::string& scenario() const { return scenario_; }
   const std::string& original() const { return original_; }
   const ShaderProgram& program() const { return program_; }
-  // A package of the first candidate that the whole screen computes; the directory. `name` tells variants apart.
-  std::string variant(const std::string& name, const VariantOptions& options) const;
+  // A package of the value `payload`, or of the first candidate that the whole screen computes; the directory. `name` tells
+  // variants apart.
+  std::string variant(const std::string& name, const VariantOptions& options, const std::string& payload = "") const;
   // A job in the first training session, with one entry.
   Job job(JobKind kind, const JobEntry& entry) const;
   const std::filesystem::path& folder() const { return folder_.path(); }

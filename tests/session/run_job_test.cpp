@@ -46,6 +46,23 @@ INSTANTIATE_TEST_SUITE_P(Shaders, EveryOutput,
                          testing::Values("shaders/marble/marble.toml", "shaders/laws/textures/textures.toml",
                                          "shaders/laws/several_outputs/several_outputs.toml"));
 
+TEST(DepthWithStencil, CoversTheSamePixels) {
+  const std::filesystem::path shaders = std::filesystem::path(REPRISE_SOURCE_DIR) / "shaders" / "laws";
+  std::string text = textOf(shaders / "straight_line" / "straight_line.toml");
+  const auto replace = [&](const std::string& from, const std::string& to) { text.replace(text.find(from), from.size(), to); };
+  replace("\"straight_line.frag\"", "\"" + (shaders / "straight_line" / "straight_line.frag").string() + "\"");
+  replace("\"../law.vert\"", "\"" + (shaders / "law.vert").string() + "\"");
+  replace("[render]", "[render]\ndepth_stencil = true");
+  const TemporaryFolder folder;
+  writeText(folder / "stencil.toml", text);
+  const MeasuredScene plain("shaders/laws/straight_line/straight_line.toml"), stencil((folder / "stencil.toml").string());
+  const Result<JobResult> expected = run(plain.job(JobKind::kErrors, {plain.original(), 1}));
+  const Result<JobResult> result = run(stencil.job(JobKind::kErrors, {stencil.original(), 1}));
+  ASSERT_TRUE(expected.ok()) << formatError(expected.error());
+  ASSERT_TRUE(result.ok()) << formatError(result.error());
+  EXPECT_EQ(result->errors, expected->errors);
+}
+
 class MeasuredVariant : public testing::Test {
  protected:
   Job errors(std::uint32_t period_frames) const {
@@ -153,7 +170,7 @@ TEST_F(MeasuredVariant, ProbeFindsTheRangesOfPayloadAndDepth) {
   options.strategy = "branch";
   options.encoding = Encoding::kRgba32f;
   options.instrumented = false;
-  const Job job = scene_.job(JobKind::kProbe, {scene_.variant("probed", options), 1});
+  const Job job = scene_.job(JobKind::kProbe, {scene_.variant("probed", options, "base"), 1});
   const Result<JobResult> result = run(job);
   ASSERT_TRUE(result.ok()) << formatError(result.error());
   ASSERT_EQ(result->probes.size(), 1u);

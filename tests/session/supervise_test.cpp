@@ -32,8 +32,8 @@ class ScriptedWorker {
     options_.worker_path = (folder_ / "worker").string();
   }
   SupervisorOptions& options() { return options_; }
-  Error failure() const {
-    const Result<JobResult> result = superviseJob(Job{}, options_, {});
+  Error failure(const Job& job = {}) const {
+    const Result<JobResult> result = superviseJob(job, options_, {});
     EXPECT_FALSE(result.ok());
     return result.ok() ? Error{} : result.error();
   }
@@ -118,6 +118,29 @@ TEST(SuperviseJob, EndsAWorkerThatIsSilentForTooLong) {
   const Error hang = worker.failure();
   EXPECT_EQ(hang.kind, ErrorKind::kMeasurement);
   EXPECT_EQ(hang.code, "worker.timeout");
+  EXPECT_FALSE(childOf(getpid()).has_value());
+}
+
+TEST(SuperviseJob, EndsAWorkerThatNeverReadsALongJob) {
+  ScriptedWorker worker("exec sleep 600");
+  worker.options().silence_timeout_s = 0.3;
+  Job job;
+  job.run_id.assign(1 << 20, 'x');  // more than a pipe holds
+  EXPECT_EQ(worker.failure(job).code, "worker.timeout");
+}
+
+TEST(SuperviseJob, SendsALongJobWhole) {
+  Job job;
+  job.run_id.assign(1 << 20, 'x');
+  const ScriptedWorker worker("bytes=$(wc -c); echo $bytes bytes >&2; exit 3");
+  const Error end = worker.failure(job);
+  EXPECT_NE(end.message.find(std::to_string(jobToJson(job).size()) + " bytes"), std::string::npos) << end.message;
+}
+
+TEST(SuperviseJob, EndsAWorkerThatClosesItsOutputAndGoesOn) {
+  ScriptedWorker worker("exec sleep 600 >&-");
+  worker.options().silence_timeout_s = 0.3;
+  EXPECT_EQ(worker.failure().code, "worker.timeout");
   EXPECT_FALSE(childOf(getpid()).has_value());
 }
 
