@@ -69,6 +69,17 @@ int countedIterations(Op compare, std::int64_t first, std::int64_t step, std::in
   return static_cast<int>(std::min<std::int64_t>((last - first) / step + 1, 1 << 20));
 }
 
+// Whether a block's branch on `condition` may leave the loop.
+bool leavesLoop(const Function& function, const ControlFlow& flow, const Loop& loop, std::uint32_t condition) {
+  for (std::size_t block = 0; block < function.blocks.size(); ++block) {
+    const Instruction& branch = function.blocks[block].terminator();
+    if (!loop.contains[block] || branch.opcode != Op::OpBranchConditional || branch.word(0) != condition) continue;
+    for (const int successor : flow.successors[block])
+      if (!loop.contains[static_cast<std::size_t>(successor)]) return true;
+  }
+  return false;
+}
+
 // Stores to local memory, by variable, for the loads that may see them.
 void connectMemory(ValueGraph& graph) {
   std::unordered_map<std::uint32_t, std::vector<int>> stores;
@@ -130,6 +141,7 @@ int estimateIterations(const Module& module, const Function& function, const Con
       if (!loop.contains[block]) continue;
       for (const Instruction& compare : function.blocks[block].instructions) {
         if (compare.operands.size() != 2 || compare.type_id == 0 || compare.word(0) != phi.result_id) continue;
+        if (!leavesLoop(function, flow, loop, compare.result_id)) continue;
         const Instruction* limit = compare.operands[1].is_id ? constantOf(module, compare.word(1)) : nullptr;
         if (limit == nullptr) continue;
         const int count = countedIterations(compare.opcode, static_cast<std::int32_t>(first->word(0)), step_value,

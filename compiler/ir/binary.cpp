@@ -15,6 +15,7 @@ struct Reader {
   LineMark line;
   bool in_function = false;
   std::string failure;
+  std::string failure_code = "spirv.invalid";
 };
 
 bool isIdType(spv_operand_type_t type) {
@@ -61,8 +62,8 @@ std::vector<Instruction>* sectionOf(Module& module, Op opcode) {
     case Op::OpSourceContinued:
     case Op::OpSourceExtension: return &module.debug_sources;
     case Op::OpName:
-    case Op::OpMemberName:
-    case Op::OpModuleProcessed: return &module.names;
+    case Op::OpMemberName: return &module.names;
+    case Op::OpModuleProcessed: return &module.processed;
     case Op::OpDecorate:
     case Op::OpMemberDecorate:
     case Op::OpDecorationGroup:
@@ -107,9 +108,7 @@ bool placeInFunction(Reader& reader, Instruction instruction) {
     return true;
   }
   if (function.blocks.empty()) return false;
-  const bool ends = isTerminator(instruction.opcode);
   function.blocks.back().instructions.push_back(std::move(instruction));
-  if (ends) reader.line = {};
   return true;
 }
 
@@ -119,6 +118,7 @@ spv_result_t onHeader(void* user, spv_endianness_t, std::uint32_t, std::uint32_t
   reader.module.version = version;
   reader.module.bound = bound;
   if (bound <= kMaxIds) return SPV_SUCCESS;
+  reader.failure_code = "spirv.limit";
   reader.failure = "the module declares " + std::to_string(bound) + " ids; at most " + std::to_string(kMaxIds) + " are read";
   return SPV_ERROR_INVALID_BINARY;
 }
@@ -137,6 +137,7 @@ spv_result_t onInstruction(void* user, const spv_parsed_instruction_t* parsed) {
   instruction.line = reader.line;
   if (instruction.opcode == Op::OpFunction && !reader.in_function) {
     reader.in_function = true;
+    reader.line = {};
     instruction.line = {};
     reader.module.functions.push_back({std::move(instruction), {}, {}});
     return SPV_SUCCESS;
@@ -168,8 +169,8 @@ class Writer {
     section(function.parameters);
     for (const Block& block : function.blocks) {
       write(makeInstruction(Op::OpLabel, 0, block.label, {}));
+      block_starts_ = true;
       for (const Instruction& instruction : block.instructions) write(instruction);
-      line_ = {};
     }
     write(makeInstruction(Op::OpFunctionEnd, 0, 0, {}));
   }
@@ -182,9 +183,13 @@ class Writer {
     raw(instruction);
   }
 
-  // A phi or function variable may not be preceded by OpNoLine in some consumers' eyes, but the grammar allows it.
+  // The scope of a line ends with its block, but glslang states a line only where it changes: reading carries lines over to the
+  // next block, writing states them anew.
   void moveTo(const LineMark& line) {
-    if (line == line_) return;
+    const bool known = line.line != 0 || line.file != 0;
+    const bool again = block_starts_ && known;
+    block_starts_ = false;
+    if (line == line_ && !again) return;
     line_ = line;
     if (line.line == 0 && line.file == 0) {
       raw(makeInstruction(Op::OpNoLine, 0, 0, {}));
@@ -205,6 +210,7 @@ class Writer {
 
   std::vector<std::uint32_t> words_;
   LineMark line_;
+  bool block_starts_ = false;
 };
 
 }  // namespace
@@ -221,7 +227,7 @@ Result<Module> readModule(std::span<const std::uint32_t> words) {
     std::string message = !reader.failure.empty() ? reader.failure
                           : diagnostic          ? diagnostic->error
                                                 : "not a SPIR-V module";
-    return Error{ErrorKind::kInput, "spirv.invalid", "the SPIR-V cannot be read: " + message, {}};
+    return Error{ErrorKind::kInput, reader.failure_code, "the SPIR-V cannot be read: " + message, {}};
   }
   for (const Function& function : reader.module.functions)
     for (const Block& block : function.blocks)
@@ -233,7 +239,7 @@ Result<Module> readModule(std::span<const std::uint32_t> words) {
 std::vector<std::uint32_t> writeModule(const Module& module) {
   Writer writer(module);
   for (const auto* section : {&module.capabilities, &module.extensions, &module.imports, &module.memory_model,
-                              &module.entry_points, &module.execution_modes, &module.debug_sources, &module.names,
+                              &module.entry_points, &module.execution_modes, &module.debug_sources, &module.names, &module.processed,
                               &module.annotations, &module.globals})
     writer.section(*section);
   for (const Function& function : module.functions) writer.function(function);

@@ -15,7 +15,6 @@ std::uint32_t findOrAddGlobal(Module& module, Op opcode, std::uint32_t type_id, 
 }
 
 std::uint32_t floatType(Module& module) { return findOrAddGlobal(module, Op::OpTypeFloat, 0, {literalOperand(32)}); }
-std::uint32_t boolType(Module& module) { return findOrAddGlobal(module, Op::OpTypeBool, 0, {}); }
 std::uint32_t uintType(Module& module) {
   return findOrAddGlobal(module, Op::OpTypeInt, 0, {literalOperand(32), literalOperand(0)});
 }
@@ -38,7 +37,6 @@ std::uint32_t intConstant(Module& module, std::int32_t value) {
 std::uint32_t floatConstant(Module& module, float value) {
   return findOrAddGlobal(module, Op::OpConstant, floatType(module), {literalOperand(std::bit_cast<std::uint32_t>(value))});
 }
-std::uint32_t trueConstant(Module& module) { return findOrAddGlobal(module, Op::OpConstantTrue, boolType(module), {}); }
 
 std::uint32_t addVariable(Module& module, spv::StorageClass storage, std::uint32_t pointee, const std::string& name) {
   const std::uint32_t pointer = pointerType(module, storage, pointee);

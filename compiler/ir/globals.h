@@ -15,7 +15,6 @@ namespace reprise {
 std::uint32_t findOrAddGlobal(Module& module, spv::Op opcode, std::uint32_t type_id, const std::vector<Operand>& operands);
 
 std::uint32_t floatType(Module& module);
-std::uint32_t boolType(Module& module);
 std::uint32_t uintType(Module& module);
 std::uint32_t intType(Module& module);
 std::uint32_t vectorType(Module& module, std::uint32_t component_type, std::uint32_t components);
@@ -23,7 +22,6 @@ std::uint32_t pointerType(Module& module, spv::StorageClass storage, std::uint32
 std::uint32_t uintConstant(Module& module, std::uint32_t value);
 std::uint32_t intConstant(Module& module, std::int32_t value);
 std::uint32_t floatConstant(Module& module, float value);
-std::uint32_t trueConstant(Module& module);
 
 // A new variable of its own, with a name.
 std::uint32_t addVariable(Module& module, spv::StorageClass storage, std::uint32_t pointee, const std::string& name);

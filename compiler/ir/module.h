@@ -62,7 +62,8 @@ struct Module {
   std::uint32_t bound = 1;  // all ids are below
   std::vector<Instruction> capabilities, extensions, imports, memory_model, entry_points, execution_modes;
   std::vector<Instruction> debug_sources;  // OpString, OpSource...
-  std::vector<Instruction> names;          // OpName, OpMemberName, OpModuleProcessed
+  std::vector<Instruction> names;          // OpName, OpMemberName
+  std::vector<Instruction> processed;      // OpModuleProcessed, which has to follow the names
   std::vector<Instruction> annotations;
   std::vector<Instruction> globals;        // types, constants, global variables
   std::vector<Function> functions;

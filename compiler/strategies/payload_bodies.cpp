@@ -1,5 +1,6 @@
 #include "compiler/strategies/payload_bodies.h"
 
+#include <algorithm>
 #include <unordered_set>
 
 #include "compiler/ir/globals.h"
@@ -16,6 +17,16 @@ std::uint32_t addSlot(Module& module, std::uint32_t type, const std::string& nam
   const std::uint32_t slot = addVariable(module, spv::StorageClass::Output, type, name);
   for (Instruction& entry : module.entry_points) entry.operands.push_back(idOperand(slot));
   return slot;
+}
+
+// Locations behind all others, given last: hiding colours goes by locations. They make the module valid as it stands.
+void locateSlots(PayloadBodies& bodies) {
+  std::uint32_t location = 0;
+  for (const Instruction& annotation : bodies.module.annotations)
+    if (annotation.opcode == spv::Op::OpDecorate && annotation.word(1) == static_cast<std::uint32_t>(spv::Decoration::Location))
+      location = std::max(location, annotation.word(2) + 1);
+  for (const std::uint32_t slot : {bodies.payload_variable, bodies.valid_variable})
+    if (findGlobal(bodies.module, slot) != nullptr) addDecoration(bodies.module, slot, spv::Decoration::Location, {location++});
 }
 
 void dropEntryPoint(Module& module, std::uint32_t function) {
@@ -44,7 +55,7 @@ Result<PayloadBodies> makeBodies(const PreparedShader& shader, std::uint32_t val
   bodies.module = shader.module;
   Module& module = bodies.module;
   bodies.payload_variable = addSlot(module, vectorType(module, floatType(module), 4), "reprise_payload_slot");
-  bodies.valid_variable = addSlot(module, boolType(module), "reprise_valid_slot");
+  bodies.valid_variable = addSlot(module, uintType(module), "reprise_valid_slot");
   const std::uint32_t original = shader.entry_function;
   if (wanted.hit) {
     ClonedFunction cloned = cloneFunction(module, original);
@@ -66,6 +77,7 @@ Result<PayloadBodies> makeBodies(const PreparedShader& shader, std::uint32_t val
     dropEntryPoint(module, original);
   }
   REPRISE_ASSIGN(module, removeDeadCode(module));
+  locateSlots(bodies);
   return bodies;
 }
 

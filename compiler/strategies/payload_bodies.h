@@ -12,7 +12,7 @@ struct PayloadBodies {
   Module module;                       // its entry points are the bodies asked for
   std::uint32_t hit = 0, miss = 0;     // function ids; 0: not asked for
   std::uint32_t payload_variable = 0;  // vec4
-  std::uint32_t valid_variable = 0;    // bool
+  std::uint32_t valid_variable = 0;    // uint; an interface variable cannot be bool
 };
 
 // value 0: no payload (a depth prepass asks for the miss body alone). Errors: variable.use (kRefused), spirv.optimize.

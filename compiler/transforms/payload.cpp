@@ -74,7 +74,7 @@ Module exportPayload(const Module& module, const PayloadPlace& place) {
   Module result = module;
   const std::uint32_t vec4 = vectorType(result, floatType(result), 4);
   const std::uint32_t zero = floatConstant(result, 0);
-  const std::uint32_t yes = trueConstant(result);
+  const std::uint32_t yes = uintConstant(result, 1);
   std::uint32_t whole = result.freshId();
   const Position position = find(result, place);
   const Instruction& computed = position.block->instructions[position.index];

@@ -13,7 +13,7 @@ struct PayloadPlace {
   std::uint32_t function = 0;
   std::uint32_t value = 0;              // result id in that function: float or vec2..4 of 32 bits
   std::uint32_t payload_variable = 0;   // vec4, any storage class that may be loaded and stored
-  std::uint32_t valid_variable = 0;     // bool; set by exportPayload
+  std::uint32_t valid_variable = 0;     // uint; exportPayload stores 1
 };
 
 // The value is loaded from the payload variable where it was computed; its computation stays behind as dead code.

@@ -141,6 +141,10 @@ TEST(Iterations, ABranchOnTheCounterIsNotTheEndOfTheLoop) {
   EXPECT_EQ(iterationsOf("for (int i = 0; i < 12; ++i) { if (i < 3) sum += sin(p.x + sum); else sum += 1.0; }"), 12);
 }
 
+TEST(Iterations, OfALoopThatComparesTheNextValueAreAGuessAndNotAnInnerBranchsBound) {
+  EXPECT_EQ(iterationsOf("int i = 0; do { if (i < 3) sum += sin(p.x + sum); ++i; } while (i < 24);"), kUnknownIterations);
+}
+
 TEST(Iterations, AreAGuessWhereAnInputDecides) {
   EXPECT_EQ(iterationsOf("for (int i = 0; i < int(p.z); ++i) sum += sin(p.x + sum);"), kUnknownIterations);
   EXPECT_EQ(iterationsOf("while (sum < 3.0) sum += abs(p.x) + 0.1;"), kUnknownIterations);

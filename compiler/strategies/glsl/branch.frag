@@ -9,13 +9,13 @@
 void main() {
   vec4 payload;
   bool hit = repriseLookup(payload);
-  reprise_payload_valid = hit;
+  reprise_payload_valid = hit ? 1u : 0u;
   reprise_payload = hit ? payload : vec4(0.0);
   if (hit) {
     reprise_hit();
   } else {
     reprise_miss();
   }
-  repriseStore(reprise_payload, reprise_payload_valid);
+  repriseStore(reprise_payload, reprise_payload_valid != 0u);
   repriseCount(hit);
 }

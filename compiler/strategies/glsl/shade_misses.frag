@@ -5,9 +5,9 @@
 #include "count.glsl"
 
 void main() {
-  reprise_payload_valid = false;
+  reprise_payload_valid = 0u;
   reprise_payload = vec4(0.0);
   reprise_miss();
-  repriseStore(reprise_payload, reprise_payload_valid);
+  repriseStore(reprise_payload, reprise_payload_valid != 0u);
   repriseCount(false);
 }
