@@ -32,7 +32,6 @@ constexpr const char* kSession = "orbit";
 constexpr std::uint32_t kPeriod = 16;
 constexpr std::uint32_t kBlock = 16;
 constexpr int kErrorFrames = 48;
-constexpr int kOctaves[] = {5, 10, 20, 27};
 constexpr std::uint32_t kSizes[][2] = {{640, 360}, {1280, 720}};
 constexpr Filter kFilters[] = {Filter::kBilinear, Filter::kNearest};
 constexpr Encoding kEncodings[] = {Encoding::kRgba16f, Encoding::kRgba8};
@@ -55,6 +54,8 @@ struct Bench {
   std::string worker_path, device;
   bool cpu_clock = true;
   int rounds = 20;
+  std::vector<int> octaves = {5, 10, 20, 27};
+  std::vector<int> widths = {640, 1280};
 };
 
 Result<JobResult> runHere(const Bench& bench, Job& job) {
@@ -217,8 +218,9 @@ Result<void> run(Bench bench, const std::string& json_file) {
   std::cout << "| octaves | size | strategy | variant | frame ms | speed-up [95%] | share of limit | RMS error |\n|---|---|---|---|---|---|---|---|\n";
   const std::filesystem::path directory = std::filesystem::temp_directory_path() / fmt::format("reprise-bench-{}", ::getpid());
   nlohmann::json rows = nlohmann::json::array();
-  for (const auto& size : kSizes)
-    for (const int octaves : kOctaves)
+  for (const auto& size : kSizes) {
+    if (std::find(bench.widths.begin(), bench.widths.end(), static_cast<int>(size[0])) == bench.widths.end()) continue;
+    for (const int octaves : bench.octaves)
       for (const bool stencil : {false, true}) {
         REPRISE_ASSIGN(const Workspace workspace, Workspace::open(directory));
         REPRISE_ASSIGN(const std::vector<Row> measured, measure(bench, octaves, size, stencil, workspace));
@@ -227,6 +229,7 @@ Result<void> run(Bench bench, const std::string& json_file) {
           rows.push_back(toJson(row, octaves, size, measured[2].frame_ms));
         }
       }
+  }
   std::error_code status;
   std::filesystem::remove_all(directory, status);
   if (json_file.empty()) return {};
@@ -244,6 +247,8 @@ int main(int argc, char** argv) {
   CLI::App app("Times every strategy on the marble and prints one table");
   app.add_option("--json", json_file, "write the rows to a file too");
   app.add_option("--device", bench.device, "index or part of the name");
+  app.add_option("--octaves", bench.octaves, "only these")->capture_default_str();
+  app.add_option("--widths", bench.widths, "only these: 640 (x360), 1280 (x720)")->capture_default_str();
   app.add_option("--rounds", bench.rounds, "pairs per variant")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   bench.worker_path = (std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path() / "reprise").string();

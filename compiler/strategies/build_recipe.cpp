@@ -102,6 +102,7 @@ class RecipeBuilder {
             {"KEEP_RAW", strategy_.keeps_raw_payload ? 1 : 0},
             {"QUAD_UNIFORM", program_.analysis.takes_derivatives ? 1 : 0},
             {"ORTHOGRAPHIC", options_.orthographic ? 1 : 0},
+            {"BILINEAR", options_.filter == Filter::kBilinear ? 1 : 0},
             {"INSTRUMENTED", options_.instrumented ? 1 : 0},
             {"BLOCK_SHIFT", std::countr_zero(options_.block_pixels)},
             {"PATTERN_TILED", 0},

@@ -7,15 +7,16 @@
 #include "count.glsl"
 
 void main() {
-  vec4 payload;
-  bool hit = repriseLookup(payload);
-  reprise_payload_valid = hit ? 1u : 0u;
-  reprise_payload = hit ? payload : vec4(0.0);
+  vec4 texel;
+  bool hit = repriseLookup(texel);
+  reprise_payload_valid = 0u;
+  reprise_payload = hit ? repriseDecode(texel) : vec4(0.0);
   if (hit) {
     reprise_hit();
+    repriseCarry(texel);
   } else {
     reprise_miss();
+    repriseStore(reprise_payload, reprise_payload_valid != 0u);
   }
-  repriseStore(reprise_payload, reprise_payload_valid != 0u);
   repriseCount(hit);
 }

@@ -59,20 +59,7 @@ vec4 repriseDecode(vec4 encoded) {
 #endif
 }
 
-// KEEP_RAW: a later pass of this frame reads the payload back, so it is stored even where it is not fit to be reused.
-void repriseStore(vec4 payload, bool valid) {
-  vec4 encoded = repriseEncode(payload);
-  float depth = repriseStoredDepth(repriseViewDepth());
-  bool storable = repriseStorable(encoded);
-  bool far_enough = depth >= reprise.depth_range.z;
-  bool near_enough = depth <= reprise.depth_range.w;
-  valid = valid && storable;
-  valid = valid && far_enough;
-  valid = valid && near_enough;
-#if !KEEP_RAW
-  encoded = valid ? encoded : vec4(0.0);
-#endif
-  depth = valid ? depth : 0.0;
+void repriseWrite(vec4 encoded, float depth) {
 #if NARROW
   reprise_cache = vec2(encoded.x, depth);
 #elif DEPTH_IN_ALPHA
@@ -82,3 +69,25 @@ void repriseStore(vec4 payload, bool valid) {
   reprise_cache_depth = depth;
 #endif
 }
+
+// The depth to keep beside a payload: 0, "nothing valid here", where it lies outside the range that the format resolves.
+float repriseKeptDepth() {
+  float depth = repriseStoredDepth(repriseViewDepth());
+  bool in_range = depth == clamp(depth, reprise.depth_range.z, reprise.depth_range.w);
+  return in_range ? depth : 0.0;
+}
+
+// A payload computed now. KEEP_RAW: a later pass of this frame reads the payload back, so it is stored even where it is not fit
+// to be reused.
+void repriseStore(vec4 payload, bool valid) {
+  vec4 encoded = repriseEncode(payload);
+  bool storable = repriseStorable(encoded);
+  valid = valid && storable;
+#if !KEEP_RAW
+  encoded = valid ? encoded : vec4(0.0);
+#endif
+  repriseWrite(encoded, valid ? repriseKeptDepth() : 0.0);
+}
+
+// A hit's texel goes on as it was fetched: it was fit to be stored once, and encoding it anew could only round it out of range.
+void repriseCarry(vec4 texel) { repriseWrite(texel, repriseKeptDepth()); }

@@ -9,7 +9,8 @@ layout(set = REPRISE_SET, binding = 2) uniform sampler2D reprise_history;
 layout(set = REPRISE_SET, binding = 3) uniform sampler2D reprise_history_depth;
 #endif
 
-bool repriseLookup(out vec4 payload) {
+// texel: what the history holds, encoded; meaningless for a miss.
+bool repriseLookup(out vec4 texel) {
   float depth = reprise_previous.z;
 #if ORTHOGRAPHIC
   vec2 clip = reprise_previous.xy;
@@ -18,18 +19,18 @@ bool repriseLookup(out vec4 payload) {
 #endif
   vec4 viewport = reprise.previous_viewport;
   vec2 at = (clip * 0.5 + 0.5) * viewport.zw + viewport.xy;
-  // A point that did not move must fetch its own texel and no other (frozen world, no error).
+#if BILINEAR
+  // A point that did not move must fetch its own texel and no other (frozen world, no error); nearest does so by itself.
   vec2 centre = floor(at) + 0.5;
   vec2 off = abs(at - centre);
   at = max(off.x, off.y) < 1.0 / 512.0 ? centre : at;
-  vec2 low = min(viewport.xy, viewport.xy + viewport.zw);
-  vec2 high = max(viewport.xy, viewport.xy + viewport.zw);
+#endif
 
   float expected = repriseStoredDepth(depth);
   float slope = min((abs(dFdx(expected)) + abs(dFdy(expected))) * reprise.tolerance.y, reprise.tolerance.w);
   float tolerance = reprise.tolerance.x + slope + reprise.tolerance.z * expected;
 
-  vec4 texel = textureLod(reprise_history, at, 0.0);
+  texel = textureLod(reprise_history, at, 0.0);
 #if NARROW
   float stored = texel.g;
 #elif DEPTH_IN_ALPHA
@@ -37,14 +38,11 @@ bool repriseLookup(out vec4 payload) {
 #else
   float stored = textureLod(reprise_history_depth, at, 0.0).r;
 #endif
-  payload = repriseDecode(texel);
   bool hit = abs(stored - expected) <= tolerance;
-  bool inside_low = all(greaterThanEqual(at, low));
-  bool inside_high = all(lessThan(at, high));
+  bool inside = max(abs(clip.x), abs(clip.y)) < 1.0;
   bool fresh = !repriseDue();
   bool known = reprise.history_valid != 0u;
-  hit = hit && inside_low;
-  hit = hit && inside_high;
+  hit = hit && inside;
   hit = hit && fresh;
   hit = hit && known;
 #if !ORTHOGRAPHIC

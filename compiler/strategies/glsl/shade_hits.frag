@@ -7,10 +7,10 @@
 #include "count.glsl"
 
 void main() {
-  vec4 payload;
-  if (!repriseLookup(payload)) discard;
-  reprise_payload = payload;
+  vec4 texel;
+  if (!repriseLookup(texel)) discard;
+  reprise_payload = repriseDecode(texel);
   reprise_hit();
-  repriseStore(payload, true);
+  repriseCarry(texel);
   repriseCount(true);
 }
