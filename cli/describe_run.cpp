@@ -188,6 +188,12 @@ std::vector<RunSession> describeSessions(const ValidationRun& run, const std::st
   return sessions;
 }
 
+// Time of the original per fragment, validation over training; the faster of the original with and without a prepass, both times.
+double paceOf(double training_ms_per_fragment, const ValidationRun& run) {
+  const double reference_ms = run.prepass_ms < run.original_ms ? run.prepass_ms : run.original_ms;
+  return reference_ms / run.fragments_per_frame / training_ms_per_fragment;
+}
+
 void describeAccepted(const Subject& subject, const Training& training, const FittedTraining& fitted, const ValidationAttempt& attempt,
                       RunResult& result) {
   const Configuration& configuration = fitted.input.configurations[attempt.configuration];
@@ -214,9 +220,11 @@ void describeAccepted(const Subject& subject, const Training& training, const Fi
   choice.speedup_ci95 = RunInterval{run.binding.lo, run.binding.hi};
   choice.wall_speedup = known(run.wall.ratio);
   choice.wall_speedup_ci95 = RunInterval{run.wall.lo, run.wall.hi};
-  // Predicted for the validation's own hits and misses, as its scene covers another share of the screen than training's.
+  // Predicted for the validation's own hits and misses, as its scene covers another share of the screen than training's, and at
+  // its pace: what a machine takes for the same work drifts by more between two runs than within one.
   const double hits = run.fragments_per_frame * run.hit_rate;
-  choice.predicted_frame_ms = known(predictFrameTime(configuration.cost, hits, run.fragments_per_frame - hits));
+  choice.pace = known(paceOf(fitted.input.original_frame_ms / configuration.fragments_per_frame, run));
+  choice.predicted_frame_ms = known(choice.pace.value_or(1) * predictFrameTime(configuration.cost, hits, run.fragments_per_frame - hits));
   choice.measured_frame_ms = known(run.binding.variant_median_ms);
   choice.p95_ms = known(run.binding.variant_p95_ms);
   choice.worst_ms = known(run.binding.variant_worst_ms);

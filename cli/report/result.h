@@ -80,6 +80,7 @@ struct RunChoice {
   std::optional<double> wall_speedup;
   std::optional<RunInterval> wall_speedup_ci95;
   std::optional<double> predicted_frame_ms, measured_frame_ms, p95_ms, worst_ms;
+  std::optional<double> pace;  // the original's time per fragment, validation over training; in predicted_frame_ms
   std::optional<double> hit_rate;  // of covered pixels, over the validation
   std::optional<double> cache_bytes_per_pixel;
   bool operator==(const RunChoice&) const = default;

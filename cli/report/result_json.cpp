@@ -55,7 +55,7 @@ void fields(A& a, RunChoice& c) {
   a("speedup_ci95", c.speedup_ci95);
   a("wall_speedup", c.wall_speedup), a("wall_speedup_ci95", c.wall_speedup_ci95);
   a("predicted_frame_ms", c.predicted_frame_ms), a("measured_frame_ms", c.measured_frame_ms);
-  a("p95_ms", c.p95_ms), a("worst_ms", c.worst_ms);
+  a("p95_ms", c.p95_ms), a("worst_ms", c.worst_ms), a("pace", c.pace);
   a("hit_rate", c.hit_rate), a("cache_bytes_per_pixel", c.cache_bytes_per_pixel);
 }
 template <class A>
