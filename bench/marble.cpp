@@ -247,8 +247,8 @@ int main(int argc, char** argv) {
   CLI::App app("Times every strategy on the marble and prints one table");
   app.add_option("--json", json_file, "write the rows to a file too");
   app.add_option("--device", bench.device, "index or part of the name");
-  app.add_option("--octaves", bench.octaves, "only these")->capture_default_str();
-  app.add_option("--widths", bench.widths, "only these: 640 (x360), 1280 (x720)")->capture_default_str();
+  app.add_option("--octaves", bench.octaves, "only these")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--widths", bench.widths, "only these: 640 (x360), 1280 (x720)")->check(CLI::IsMember({640, 1280}))->capture_default_str();
   app.add_option("--rounds", bench.rounds, "pairs per variant")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   bench.worker_path = (std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path() / "reprise").string();

@@ -43,7 +43,7 @@ struct StoredVariant {
   Recipe recipe;
 };
 
-// Builds a package under DIR/work/variants unless it is there already. Errors: those of buildPackage and writePackage.
+// Builds a package among the variants of the workspace unless it is there already. Errors: those of buildPackage and writePackage.
 Result<StoredVariant> storeVariant(const Workspace& workspace, const ShaderProgram& program, const Candidate& candidate,
                                    const VariantOptions& options, const StateLimits& limits);
 
