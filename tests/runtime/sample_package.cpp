@@ -29,6 +29,7 @@ Recipe cachedRecipe() {
   recipe.pattern = PatternKind::kTiled;
   recipe.filter = Filter::kBilinear;
   recipe.period_frames = kNeverRefresh;
+  recipe.constants.tolerance[0] = 0.1f;  // not exact in binary: text must bring back the same float
   recipe.resources = {{"cache", ResourceFormat::kRgba16Sfloat, 1, Lifetime::kHistory, {0, 0, 0, 1}}};
   recipe.passes[0].colors.push_back({-1, "cache", LoadOp::kClear, BlendKind::kReplace, 1});
   recipe.passes[0].reads = {{"cache", 2, Filter::kBilinear, false}};
