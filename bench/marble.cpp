@@ -56,6 +56,7 @@ struct Bench {
   int rounds = 20;
   std::vector<int> octaves = {5, 10, 20, 27};
   std::vector<int> widths = {640, 1280};
+  bool all = false;
 };
 
 Result<JobResult> runHere(const Bench& bench, Job& job) {
@@ -185,9 +186,12 @@ Result<std::vector<Row>> measure(const Bench& bench, int octaves, const std::uin
   for (Row& row : rows) row.variant = stencil ? "with stencil" : "";
   for (const Strategy& strategy : strategies()) {
     const Timed* best = nullptr;
-    for (const Timed& one : timed)
-      if (one.strategy == strategy.name && strategy.selectable && (best == nullptr || medianOf(one.clock_ms) < medianOf(best->clock_ms))) best = &one;
-    if (best == nullptr) continue;
+    for (const Timed& one : timed) {
+      if (one.strategy != strategy.name || !strategy.selectable) continue;
+      if (bench.all) rows.push_back(rowOf(one));
+      if (best == nullptr || medianOf(one.clock_ms) < medianOf(best->clock_ms)) best = &one;
+    }
+    if (best == nullptr || bench.all) continue;
     Row row = rowOf(*best);
     REPRISE_ASSIGN(row.error, errorOf(bench, subject, workspace, candidate, *best));
     rows.push_back(row);
@@ -249,6 +253,7 @@ int main(int argc, char** argv) {
   app.add_option("--device", bench.device, "index or part of the name");
   app.add_option("--octaves", bench.octaves, "only these")->check(CLI::PositiveNumber)->capture_default_str();
   app.add_option("--widths", bench.widths, "only these: 640 (x360), 1280 (x720)")->check(CLI::IsMember({640, 1280}))->capture_default_str();
+  app.add_flag("--all", bench.all, "every filter and encoding, without errors, instead of the fastest");
   app.add_option("--rounds", bench.rounds, "pairs per variant")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   bench.worker_path = (std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path() / "reprise").string();

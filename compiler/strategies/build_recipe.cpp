@@ -1,5 +1,7 @@
 #include "compiler/strategies/build_recipe.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 
@@ -29,6 +31,11 @@ int firstFreeOutput(const ShaderInterface& interface) {
   std::uint32_t free = 0;
   for (const FragmentOutput& output : interface.outputs) free = std::max(free, output.location + 1);
   return static_cast<int>(free);
+}
+
+// Nine digits give every float back.
+std::string vec4Text(const float (&values)[4]) {
+  return fmt::format("vec4({:#.9g}, {:#.9g}, {:#.9g}, {:#.9g})", values[0], values[1], values[2], values[3]);
 }
 
 class RecipeBuilder {
@@ -90,25 +97,35 @@ class RecipeBuilder {
     }
   }
 
-  std::map<std::string, int> macros() const {
-    return {{"REPRISE_SET", static_cast<int>(firstFreeSet(program_.interface))},
-            {"PREVIOUS_LOCATION", static_cast<int>(firstFreeVarying(program_.vertex, program_.fragment->module))},
-            {"CACHE_LOCATION", 0},
-            {"COUNT_LOCATION", 0},
-            {"CHANNELS", candidate_.channels},
-            {"NARROW", layout_.payload_format == ResourceFormat::kRg16Sfloat ? 1 : 0},
-            {"DEPTH_IN_ALPHA", layout_.depth_in_alpha ? 1 : 0},
-            {"AFFINE", layout_.affine ? 1 : 0},
-            {"KEEP_RAW", strategy_.keeps_raw_payload ? 1 : 0},
-            {"QUAD_UNIFORM", program_.analysis.takes_derivatives ? 1 : 0},
-            {"ORTHOGRAPHIC", options_.orthographic ? 1 : 0},
-            {"BILINEAR", options_.filter == Filter::kBilinear ? 1 : 0},
-            {"INSTRUMENTED", options_.instrumented ? 1 : 0},
-            {"BLOCK_SHIFT", std::countr_zero(options_.block_pixels)},
-            {"PATTERN_TILED", 0},
-            {"PATTERN_RANDOM", 1},
-            {"PATTERN_INTERLEAVED", 2},
-            {"PATTERN", options_.pattern == PatternKind::kTiled ? 0 : options_.pattern == PatternKind::kRandom ? 1 : 2}};
+  using Macros = std::map<std::string, std::string>;
+
+  Macros macros() const {
+    const CacheConstants& constants = built_.recipe.constants;
+    const auto flag = [](bool set) { return std::string(set ? "1" : "0"); };
+    const auto number = [](auto value) { return std::to_string(value); };
+    return {{"REPRISE_SET", number(firstFreeSet(program_.interface))},
+            {"PREVIOUS_LOCATION", number(firstFreeVarying(program_.vertex, program_.fragment->module))},
+            {"CACHE_LOCATION", "0"},
+            {"COUNT_LOCATION", "0"},
+            {"CHANNELS", number(candidate_.channels)},
+            {"NARROW", flag(layout_.payload_format == ResourceFormat::kRg16Sfloat)},
+            {"DEPTH_IN_ALPHA", flag(layout_.depth_in_alpha)},
+            {"AFFINE", flag(layout_.affine)},
+            {"KEEP_RAW", flag(strategy_.keeps_raw_payload)},
+            {"QUAD_UNIFORM", flag(program_.analysis.takes_derivatives)},
+            {"ORTHOGRAPHIC", flag(options_.orthographic)},
+            {"BILINEAR", flag(options_.filter == Filter::kBilinear)},
+            {"INSTRUMENTED", flag(options_.instrumented)},
+            {"BLOCK_SHIFT", number(std::countr_zero(options_.block_pixels))},
+            {"PATTERN_TILED", "0"},
+            {"PATTERN_RANDOM", "1"},
+            {"PATTERN_INTERLEAVED", "2"},
+            {"PATTERN", number(options_.pattern == PatternKind::kTiled ? 0 : options_.pattern == PatternKind::kRandom ? 1 : 2)},
+            {"DEPTH_RANGE", vec4Text(constants.depth_range)},
+            {"TOLERANCE", vec4Text(constants.tolerance)},
+            {"PAYLOAD_SCALE", vec4Text(constants.payload_scale)},
+            {"PAYLOAD_OFFSET", vec4Text(constants.payload_offset)},
+            {"PAYLOAD_RANGE", vec4Text(constants.payload_range)}};
   }
 
   Result<void> addModule(const std::string& name, const std::string& stage, const std::vector<std::uint32_t>& words) {
@@ -142,9 +159,10 @@ class RecipeBuilder {
 
   Result<void> buildFragment(const PassPlan& plan, const std::string& name) {
     REPRISE_ASSIGN(const PayloadBodies bodies, makeBodies(*program_.fragment, candidate_.value, plan.bodies));
-    std::map<std::string, int> values = macros();
-    values["CACHE_LOCATION"] = plan.app_targets ? cache_location_ : 0;
-    values["COUNT_LOCATION"] = values["CACHE_LOCATION"] + (layout_.depth_in_alpha ? 1 : 2);
+    Macros values = macros();
+    const int cache_location = plan.app_targets ? cache_location_ : 0;
+    values["CACHE_LOCATION"] = std::to_string(cache_location);
+    values["COUNT_LOCATION"] = std::to_string(cache_location + (layout_.depth_in_alpha ? 1 : 2));
     const Module frame = compileFrame(plan.frame, ShaderStage::kFragment, values);
     FrameBindings bindings;
     if (plan.bodies.hit) bindings.functions["reprise_hit"] = bodies.hit;

@@ -40,8 +40,8 @@ CacheLayout cacheLayout(int channels, Encoding encoding) {
   return layout;
 }
 
-FrameUniforms encodingConstants(const CacheLayout& layout, Encoding encoding, Filter filter, const ValueRanges& ranges) {
-  FrameUniforms constants;
+CacheConstants encodingConstants(const CacheLayout& layout, Encoding encoding, Filter filter, const ValueRanges& ranges) {
+  CacheConstants constants;
   const float span = std::max(ranges.depth_far - ranges.depth_near, 1e-6f * std::max(1.0f, std::abs(ranges.depth_far)));
   constants.depth_range[0] = (1 - kNearestStored) / span;
   constants.depth_range[1] = kNearestStored - ranges.depth_near * constants.depth_range[0];
@@ -63,7 +63,7 @@ FrameUniforms encodingConstants(const CacheLayout& layout, Encoding encoding, Fi
   if (layout.affine) {
     for (std::size_t channel = 0; channel < 4; ++channel) {
       float low = ranges.payload_min[channel], high = ranges.payload_max[channel];
-      if (!(high > low)) low = 0, high = 1;
+      if (!(high > low) || !std::isfinite(high - low)) low = 0, high = 1;
       const float margin = (high - low) * kRangeMargin;
       constants.payload_scale[channel] = 1 / (high - low + 2 * margin);
       constants.payload_offset[channel] = -(low - margin) * constants.payload_scale[channel];

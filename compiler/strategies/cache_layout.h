@@ -27,9 +27,9 @@ struct CacheLayout {
 
 CacheLayout cacheLayout(int channels, Encoding encoding);
 
-// depth_range, tolerance, payload_scale, payload_offset and payload_range of the frame's uniforms. The tolerance is
+// How to encode with a layout. The depth tolerance is
 // quantization step + slope x footprint + relative epsilon, in stored units.
-FrameUniforms encodingConstants(const CacheLayout& layout, Encoding encoding, Filter filter, const ValueRanges& ranges);
+CacheConstants encodingConstants(const CacheLayout& layout, Encoding encoding, Filter filter, const ValueRanges& ranges);
 
 // The ranges that a recipe was made with: the inverse of encodingConstants, for making the same variant again.
 ValueRanges rangesOf(const Recipe& recipe);

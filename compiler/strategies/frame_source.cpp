@@ -30,9 +30,9 @@ std::string expand(const std::string& name) {
 
 }  // namespace
 
-Module compileFrame(const std::string& name, ShaderStage stage, const std::map<std::string, int>& macros) {
+Module compileFrame(const std::string& name, ShaderStage stage, const std::map<std::string, std::string>& macros) {
   std::string text = "#version 450\n";
-  for (const auto& [macro, value] : macros) text += "#define " + macro + " " + std::to_string(value) + "\n";
+  for (const auto& [macro, value] : macros) text += "#define " + macro + " " + value + "\n";
   text += expand(name);
   CompileOptions options;
   options.stage = stage;

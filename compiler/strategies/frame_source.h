@@ -10,6 +10,6 @@
 namespace reprise {
 
 // The frame `name` ("branch.frag") compiled with the macros of glsl/*.glsl. Our own source: a compile error is a bug.
-Module compileFrame(const std::string& name, ShaderStage stage, const std::map<std::string, int>& macros);
+Module compileFrame(const std::string& name, ShaderStage stage, const std::map<std::string, std::string>& macros);
 
 }  // namespace reprise

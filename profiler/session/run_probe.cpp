@@ -20,7 +20,7 @@ void widen(const Player& player, const ProbedFrame& frame, ProbeResult& probe) {
   const std::vector<float>&cache = frame.cache, &depth_image = frame.depth_image;
   const Recipe& recipe = player.recipe();
   const int channels = recipe.payload.front().channels;
-  const FrameUniforms& constants = recipe.constants;
+  const CacheConstants& constants = recipe.constants;
   for (std::size_t at = 0; at < cache.size(); at += 4) {
     const float stored = depth_image.empty() ? cache[at + 3] : depth_image[at];
     if (frame.covered[at / 4] == 0) continue;

@@ -24,7 +24,7 @@
 
 namespace reprise {
 
-inline constexpr int kRecipeFormatVersion = 1;
+inline constexpr int kRecipeFormatVersion = 2;
 
 enum class PatternKind { kTiled, kRandom, kInterleaved };
 enum class Filter { kNearest, kBilinear };
@@ -42,28 +42,52 @@ std::optional<Encoding> encodingOf(const std::string& name);
 inline constexpr std::uint32_t kNeverRefresh = 0;
 
 // The group of pixel (x, y), an integer in [0, n) for period n: the pixel is due in frame f when group == f mod n.
-// block is the edge of a refresh block in pixels, a power of two and at least 2; width, height are the target's. The shader
-// computes the very same (compiler/strategies/glsl/refresh.glsl); this copy is for tests and for tools. n must be a power of
+// block is the edge of a refresh block in pixels, a power of two and at least 2; width, height are the target's. n must be a power of
 // two; never-refresh has no groups.
 std::uint32_t refreshGroup(PatternKind kind, std::uint32_t x, std::uint32_t y, std::uint32_t period_frames,
                            std::uint32_t block, std::uint32_t width, std::uint32_t height);
+
+// The pixels that are due in a frame, in the form that the shader tests: for random and interleaved {mask, turn}, due where
+// (key & mask) == turn for the hash of a block or its packed coordinates x | y << 16; for tiled the rectangle {x0, y0, x1, y1} in
+// pixels, right and bottom excluded. Never-refresh gives what no pixel matches.
+struct DueBlocks {
+  std::uint32_t words[4] = {0, 1, 0, 0};
+  bool operator==(const DueBlocks&) const = default;
+};
+
+struct Refresh {
+  PatternKind pattern = PatternKind::kInterleaved;
+  std::uint32_t period_frames = 1;
+  std::uint32_t block_pixels = 16;
+};
+
+DueBlocks dueBlocks(const Refresh& refresh, std::uint32_t frame, std::uint32_t width, std::uint32_t height);
+
+// refreshGroup(...) == frame mod n, by the test of the shader; false for never-refresh.
+bool isDue(const DueBlocks& due, const Refresh& refresh, std::uint32_t x, std::uint32_t y);
 
 // std140 image of reprise_set binding 0. Filled by the player once a frame.
 struct FrameUniforms {
   std::uint32_t frame = 0;            // counts from 0
   std::uint32_t period_frames = 1;    // kNeverRefresh: never
   std::uint32_t history_valid = 0;    // 0 in frame 0 and after invalidate(): every pixel misses
-  std::uint32_t columns_shift = 0;    // log2 of the columns of refresh groups: ceil(log2(period) / 2)
+  std::uint32_t unused = 0;
   float viewport[4] = {};             // x, y, width, signed height (pixels) of this frame
   float previous_viewport[4] = {};    // of the last frame
-  float depth_range[4] = {};          // stored = depth * [0] + [1]; valid stored values lie in [2]..[3]
-  float tolerance[4] = {};            // quantization step, slope factor (footprint, pixels), relative epsilon, slope cap; stored units
-  float payload_scale[4] = {1, 1, 1, 1};   // stored = payload * scale + offset
-  float payload_offset[4] = {};
-  float payload_range[4] = {};        // [0], [1]: lowest and highest storable value; outside: stored invalid
-  float free_payload[4] = {};         // payload of the tail-only limit
+  DueBlocks due;
+  float free_payload[4] = {};         // payload of the tail-only limit; no constant, or compilers would fold the tail
 };
-static_assert(sizeof(FrameUniforms) == 16 * 9);
+static_assert(sizeof(FrameUniforms) == 16 * 5);
+
+// How payload and depth are encoded. The modules have these numbers as constants; the recipe tells them.
+struct CacheConstants {
+  float depth_range[4] = {};              // stored = depth * [0] + [1]; valid stored values lie in [2]..[3]
+  float tolerance[4] = {};                // quantization step, slope factor (footprint, pixels), relative epsilon, slope cap; stored units
+  float payload_scale[4] = {1, 1, 1, 1};  // stored = payload * scale + offset
+  float payload_offset[4] = {};
+  float payload_range[4] = {};            // [0], [1]: lowest and highest storable value; outside: stored invalid
+  float free_payload[4] = {};             // FrameUniforms::free_payload
+};
 
 enum class ResourceFormat { kRgba8Unorm, kRg16Sfloat, kRgba16Sfloat, kRgba32Sfloat, kR8Unorm, kR16Sfloat, kR32Sfloat };
 const char* nameOf(ResourceFormat format);
@@ -179,7 +203,7 @@ struct Recipe {
   std::uint32_t reprise_set = 0;
   bool uses_reprise_set = true;     // false for the original
   bool orthographic = false;        // history depth is z instead of w
-  FrameUniforms constants;          // depth_range, tolerance, payload_*: copied into every frame's uniforms
+  CacheConstants constants;
   std::vector<Resource> resources;
   std::vector<Pass> passes;
   std::vector<ModuleEntry> modules;

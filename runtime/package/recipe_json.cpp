@@ -113,20 +113,19 @@ json toJson(const ModuleEntry& entry) { return {{"name", entry.name}, {"stage", 
 
 ModuleEntry moduleFrom(const json& from) { return {textAt(from, "name"), textAt(from, "stage"), textAt(from, "hash")}; }
 
-// The members of FrameUniforms that are constant; the others belong to a frame.
-constexpr std::pair<const char*, float (FrameUniforms::*)[4]> kConstants[] = {
-    {"depth_range", &FrameUniforms::depth_range},       {"tolerance", &FrameUniforms::tolerance},
-    {"payload_scale", &FrameUniforms::payload_scale},   {"payload_offset", &FrameUniforms::payload_offset},
-    {"payload_range", &FrameUniforms::payload_range},   {"free_payload", &FrameUniforms::free_payload}};
+constexpr std::pair<const char*, float (CacheConstants::*)[4]> kConstants[] = {
+    {"depth_range", &CacheConstants::depth_range},       {"tolerance", &CacheConstants::tolerance},
+    {"payload_scale", &CacheConstants::payload_scale},   {"payload_offset", &CacheConstants::payload_offset},
+    {"payload_range", &CacheConstants::payload_range},   {"free_payload", &CacheConstants::free_payload}};
 
-json toJson(const FrameUniforms& constants) {
+json toJson(const CacheConstants& constants) {
   json object = json::object();
   for (const auto& [key, member] : kConstants) object[key] = floatsJson(constants.*member);
   return object;
 }
 
-FrameUniforms constantsFrom(const json& from) {
-  FrameUniforms constants;
+CacheConstants constantsFrom(const json& from) {
+  CacheConstants constants;
   for (const auto& [key, member] : kConstants) {
     const std::array<float, 4> values = floatsAt(from, key);
     std::copy(values.begin(), values.end(), constants.*member);

@@ -1,4 +1,4 @@
-// The group formulas that are part of the format; compiler/strategies/glsl/refresh.glsl computes the same.
+// The group formulas that are part of the format, and the form in which compiler/strategies/glsl/refresh.glsl tests them.
 #include <algorithm>
 #include <bit>
 
@@ -17,6 +17,24 @@ std::uint32_t hashBlock(std::uint32_t x, std::uint32_t y) {
   return hash;
 }
 
+constexpr std::uint32_t kNoBound = 0xffffffffu;
+
+std::uint32_t roundedUp(std::uint32_t a, std::uint32_t b) { return (a + b - 1) / b; }
+
+// Groups lie in columns x rows, as square as powers of two can be.
+struct GroupGrid {
+  std::uint32_t columns_shift = 0, columns = 1, rows = 1;
+  explicit GroupGrid(std::uint32_t period_frames)
+      : columns_shift(static_cast<std::uint32_t>(std::countr_zero(period_frames) + 1) / 2), columns(1u << columns_shift),
+        rows(period_frames >> columns_shift) {}
+};
+
+struct TileSize {
+  std::uint32_t x = 1, y = 1;  // in blocks
+  TileSize(const GroupGrid& grid, std::uint32_t block, std::uint32_t width, std::uint32_t height)
+      : x(roundedUp(roundedUp(width, block), grid.columns)), y(roundedUp(roundedUp(height, block), grid.rows)) {}
+};
+
 }  // namespace
 
 std::uint32_t refreshGroup(PatternKind kind, std::uint32_t x, std::uint32_t y, std::uint32_t period_frames,
@@ -25,13 +43,33 @@ std::uint32_t refreshGroup(PatternKind kind, std::uint32_t x, std::uint32_t y, s
                 width, height);
   const std::uint32_t block_x = x / block, block_y = y / block;
   if (kind == PatternKind::kRandom) return hashBlock(block_x, block_y) & (period_frames - 1);
-  const int bits = std::countr_zero(period_frames);
-  const int columns_shift = (bits + 1) / 2;
-  const std::uint32_t columns = 1u << columns_shift, rows = period_frames >> columns_shift;
-  if (kind == PatternKind::kInterleaved) return (block_x & (columns - 1)) + ((block_y & (rows - 1)) << columns_shift);
-  const auto roundedUp = [](std::uint32_t a, std::uint32_t b) { return (a + b - 1) / b; };
-  const std::uint32_t tile_x = roundedUp(roundedUp(width, block), columns), tile_y = roundedUp(roundedUp(height, block), rows);
-  return std::min(block_x / tile_x, columns - 1) + (std::min(block_y / tile_y, rows - 1) << columns_shift);
+  const GroupGrid grid(period_frames);
+  if (kind == PatternKind::kInterleaved) return (block_x & (grid.columns - 1)) + ((block_y & (grid.rows - 1)) << grid.columns_shift);
+  const TileSize tile(grid, block, width, height);
+  return std::min(block_x / tile.x, grid.columns - 1) + (std::min(block_y / tile.y, grid.rows - 1) << grid.columns_shift);
+}
+
+DueBlocks dueBlocks(const Refresh& refresh, std::uint32_t frame, std::uint32_t width, std::uint32_t height) {
+  if (refresh.period_frames == kNeverRefresh) return refresh.pattern == PatternKind::kTiled ? DueBlocks{{0, 0, 0, 0}} : DueBlocks{};
+  REPRISE_CHECK(std::has_single_bit(refresh.period_frames), refresh.period_frames);
+  const std::uint32_t turn = frame & (refresh.period_frames - 1);
+  if (refresh.pattern == PatternKind::kRandom) return {{refresh.period_frames - 1, turn, 0, 0}};
+  const GroupGrid grid(refresh.period_frames);
+  const std::uint32_t column = turn & (grid.columns - 1), row = turn >> grid.columns_shift;
+  if (refresh.pattern == PatternKind::kInterleaved) return {{(grid.columns - 1) | (grid.rows - 1) << 16, column | row << 16, 0, 0}};
+  const TileSize tile(grid, refresh.block_pixels, std::max(width, 1u), std::max(height, 1u));
+  const std::uint32_t tile_width = tile.x * refresh.block_pixels, tile_height = tile.y * refresh.block_pixels;
+  // The last tiles reach to the end, whatever is left over.
+  return {{column * tile_width, row * tile_height, column + 1 == grid.columns ? kNoBound : (column + 1) * tile_width,
+           row + 1 == grid.rows ? kNoBound : (row + 1) * tile_height}};
+}
+
+bool isDue(const DueBlocks& due, const Refresh& refresh, std::uint32_t x, std::uint32_t y) {
+  const auto& word = due.words;
+  if (refresh.pattern == PatternKind::kTiled) return x >= word[0] && y >= word[1] && x < word[2] && y < word[3];
+  const std::uint32_t block_x = x / refresh.block_pixels, block_y = y / refresh.block_pixels;
+  const std::uint32_t key = refresh.pattern == PatternKind::kRandom ? hashBlock(block_x, block_y) : block_x | block_y << 16;
+  return (key & word[0]) == word[1];
 }
 
 }  // namespace reprise

@@ -18,7 +18,8 @@ Result<Handle<VkSampler>> createSampler(const DeviceView& device, VkFilter filte
   VkSamplerCreateInfo create{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
   create.magFilter = create.minFilter = filter;
   create.mipmapMode = VK_SAMPLER_MIPMAP_MODE_NEAREST;
-  create.addressModeU = create.addressModeV = create.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  create.addressModeU = create.addressModeV = create.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER;
+  create.borderColor = VK_BORDER_COLOR_FLOAT_TRANSPARENT_BLACK;  // depth 0: nothing valid
   create.unnormalizedCoordinates = VK_TRUE;
   VkSampler sampler = VK_NULL_HANDLE;
   REPRISE_VK(device.fn.vkCreateSampler(device.device, &create, nullptr, &sampler));
@@ -178,7 +179,7 @@ Result<void> Player::State::resize(VkExtent2D to) {
 }
 
 FrameUniforms Player::State::uniformsOf(const FrameInputs& inputs) const {
-  FrameUniforms uniforms = recipe->constants;
+  FrameUniforms uniforms;
   const auto write = [](float (&to)[4], const VkViewport& viewport) {
     to[0] = viewport.x;
     to[1] = viewport.y;
@@ -188,7 +189,9 @@ FrameUniforms Player::State::uniformsOf(const FrameInputs& inputs) const {
   uniforms.frame = static_cast<std::uint32_t>(frame);
   uniforms.period_frames = inputs.period_frames;
   uniforms.history_valid = history_valid ? 1 : 0;
-  uniforms.columns_shift = static_cast<std::uint32_t>((std::bit_width(std::max(inputs.period_frames, 1u)) - 1 + 1) / 2);
+  uniforms.due = dueBlocks({recipe->pattern, inputs.period_frames, recipe->block_pixels}, uniforms.frame,
+                           static_cast<std::uint32_t>(inputs.viewport.width), static_cast<std::uint32_t>(std::abs(inputs.viewport.height)));
+  std::copy_n(recipe->constants.free_payload, 4, uniforms.free_payload);
   write(uniforms.viewport, inputs.viewport);
   write(uniforms.previous_viewport, history_valid ? previous_viewport : inputs.viewport);
   return uniforms;

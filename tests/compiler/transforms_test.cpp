@@ -166,7 +166,7 @@ Result<PreviousPosition> previousOf(const VertexText& text) {
                                              "void main() {\n  place = position;\n  " + text.extra + "\n  gl_Position = " + text.position +
                                              ";\n}\n", "test.vert")).value();
   const Module frame = compileFrame("previous_position.vert", ShaderStage::kVertex,
-                                    {{"REPRISE_SET", 3}, {"PREVIOUS_LOCATION", 1}, {"ORTHOGRAPHIC", 0}});
+                                    {{"REPRISE_SET", "3"}, {"PREVIOUS_LOCATION", "1"}, {"ORTHOGRAPHIC", "0"}});
   return addPreviousPosition(vertex, {3, 1, &frame});
 }
 
@@ -237,7 +237,7 @@ TEST(PreviousPosition, ABufferThatOnlyVaryingsReadIsAllowed) {
 TEST(PreviousPosition, AShaderWithoutAPositionIsRefused) {
   const Module vertex = moduleOf("#version 450\nlayout(location = 0) out vec3 place;\nvoid main() { place = vec3(1.0); }\n", "test.vert");
   const Module frame = compileFrame("previous_position.vert", ShaderStage::kVertex,
-                                    {{"REPRISE_SET", 0}, {"PREVIOUS_LOCATION", 1}, {"ORTHOGRAPHIC", 0}});
+                                    {{"REPRISE_SET", "0"}, {"PREVIOUS_LOCATION", "1"}, {"ORTHOGRAPHIC", "0"}});
   const Module stripped = stripForShipping(inlineCalls(vertex).value()).value();
   const auto previous = addPreviousPosition(removeDeadCode(stripped).value(), {0, 1, &frame});
   ASSERT_FALSE(previous.ok());

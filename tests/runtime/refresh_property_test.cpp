@@ -65,6 +65,23 @@ TEST(RefreshProperty, TiledGroupsAreRectangles) {
   EXPECT_NE(target.groupAt(0, 175), target.groupAt(0, 176));
 }
 
+// What the player uploads selects the very pixels of the group.
+RC_GTEST_PROP(RefreshProperty, DueBlocksAreTheGroupOfTheFrame, ()) {
+  const Target target = anyTarget();
+  const auto x = *rc::gen::inRange<std::uint32_t>(0, target.width), y = *rc::gen::inRange<std::uint32_t>(0, target.height);
+  const auto frame = *rc::gen::inRange<std::uint32_t>(0, 1000);
+  const Refresh refresh{target.pattern, target.period, target.block};
+  const DueBlocks due = dueBlocks(refresh, frame, target.width, target.height);
+  RC_ASSERT(isDue(due, refresh, x, y) == (target.groupAt(x, y) == frame % target.period));
+}
+
+RC_GTEST_PROP(RefreshProperty, NeverIsNeverDue, ()) {
+  const Target target = anyTarget();
+  const auto x = *rc::gen::inRange<std::uint32_t>(0, target.width), y = *rc::gen::inRange<std::uint32_t>(0, target.height);
+  const Refresh refresh{target.pattern, kNeverRefresh, target.block};
+  RC_ASSERT(!isDue(dueBlocks(refresh, *rc::gen::inRange<std::uint32_t>(0, 1000), target.width, target.height), refresh, x, y));
+}
+
 TEST(RefreshPropertyDeathTest, NeverHasNoGroups) {
   EXPECT_EXIT(refreshGroup(PatternKind::kTiled, 0, 0, kNeverRefresh, 8, 64, 64), testing::ExitedWithCode(70), "period_frames");
 }

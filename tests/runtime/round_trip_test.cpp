@@ -71,8 +71,8 @@ PayloadValue anyPayload() {
   return {anyText(), anyText(), anyText(), anyInt(), anyInt(), anyInt(), anyFloats(), anyFloats(), some<std::string>(anyText)};
 }
 
-FrameUniforms anyConstants() {
-  FrameUniforms constants;
+CacheConstants anyConstants() {
+  CacheConstants constants;
   for (float(*vector)[4] : {&constants.depth_range, &constants.tolerance, &constants.payload_scale, &constants.payload_offset,
                             &constants.payload_range, &constants.free_payload})
     for (float& value : *vector) value = anyFloat();
@@ -137,7 +137,7 @@ RC_GTEST_PROP(RoundTrip, KeepsRecipes, ()) {
   RC_ASSERT(read->encoding == recipe.encoding && read->payload == recipe.payload && read->requirements == recipe.requirements);
   RC_ASSERT(read->reprise_set == recipe.reprise_set && read->uses_reprise_set == recipe.uses_reprise_set);
   // Bit for bit: 0 and -0 are equal to the comparison of floats.
-  RC_ASSERT(std::memcmp(&read->constants, &recipe.constants, sizeof(FrameUniforms)) == 0);
+  RC_ASSERT(std::memcmp(&read->constants, &recipe.constants, sizeof(CacheConstants)) == 0);
   RC_ASSERT(read->resources == recipe.resources && read->passes == recipe.passes && read->modules == recipe.modules);
   RC_ASSERT(read->previous_inputs == recipe.previous_inputs && read->format_version == recipe.format_version);
   RC_ASSERT(read->orthographic == recipe.orthographic);

@@ -42,7 +42,7 @@ void main() { color = value; }
 
 constexpr const char* kFrameBlock = R"(
 layout(set = 0, binding = 0, std140) uniform RepriseFrame {
-  uint frame; uint period_frames; uint history_valid; uint columns_shift; vec4 viewport; vec4 previous_viewport;
+  uint frame; uint period_frames; uint history_valid; uint unused; vec4 viewport; vec4 previous_viewport;
 } reprise;
 )";
 

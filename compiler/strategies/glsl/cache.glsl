@@ -4,6 +4,7 @@
 // How payload and depth lie in the history: encode, store, decode.
 //
 // Depth is view-linear (clip w, or z for orthographic cameras), mapped to [1/16, 1]; 0 is "nothing valid here".
+// DEPTH_RANGE, PAYLOAD_SCALE, ...: struct CacheConstants of runtime/package/recipe.h.
 // NARROW: one channel of payload and the depth beside it, in a two-channel format.
 #if NARROW
 layout(location = CACHE_LOCATION) out vec2 reprise_cache;
@@ -14,7 +15,7 @@ layout(location = CACHE_LOCATION) out vec4 reprise_cache;
 layout(location = CACHE_LOCATION + 1) out float reprise_cache_depth;
 #endif
 
-float repriseStoredDepth(float depth) { return depth * reprise.depth_range.x + reprise.depth_range.y; }
+float repriseStoredDepth(float depth) { return depth * DEPTH_RANGE.x + DEPTH_RANGE.y; }
 
 float repriseViewDepth() {
 #if ORTHOGRAPHIC
@@ -26,7 +27,7 @@ float repriseViewDepth() {
 
 // False for NaN and infinity too. Only the channels that the payload has count.
 bool repriseStorable(vec4 encoded) {
-  vec2 range = reprise.payload_range.xy;
+  vec2 range = PAYLOAD_RANGE.xy;
 #if CHANNELS == 1
   bool high_enough = encoded.x >= range.x;
   bool low_enough = encoded.x <= range.y;
@@ -45,7 +46,7 @@ bool repriseStorable(vec4 encoded) {
 
 vec4 repriseEncode(vec4 payload) {
 #if AFFINE
-  return payload * reprise.payload_scale + reprise.payload_offset;
+  return payload * PAYLOAD_SCALE + PAYLOAD_OFFSET;
 #else
   return payload;
 #endif
@@ -53,7 +54,7 @@ vec4 repriseEncode(vec4 payload) {
 
 vec4 repriseDecode(vec4 encoded) {
 #if AFFINE
-  return (encoded - reprise.payload_offset) / reprise.payload_scale;
+  return (encoded - PAYLOAD_OFFSET) * (1.0 / PAYLOAD_SCALE);
 #else
   return encoded;
 #endif
@@ -73,7 +74,7 @@ void repriseWrite(vec4 encoded, float depth) {
 // The depth to keep beside a payload: 0, "nothing valid here", where it lies outside the range that the format resolves.
 float repriseKeptDepth() {
   float depth = repriseStoredDepth(repriseViewDepth());
-  bool in_range = depth == clamp(depth, reprise.depth_range.z, reprise.depth_range.w);
+  bool in_range = depth == clamp(depth, DEPTH_RANGE.z, DEPTH_RANGE.w);
   return in_range ? depth : 0.0;
 }
 

@@ -1,15 +1,12 @@
-// Reprise's own uniforms: struct FrameUniforms of runtime/package/recipe.h.
+// Reprise's own uniforms: struct FrameUniforms of runtime/package/recipe.h. What is the same in every frame of a recipe is not
+// here but in macros (compiler/strategies/build_recipe.cpp): a uniform costs more to load than a constant, on CPU devices much more.
 layout(set = REPRISE_SET, binding = 0, std140) uniform RepriseFrame {
   uint frame;
   uint period_frames;
   uint history_valid;
-  uint columns_shift;   // log2 of the columns of refresh groups
+  uint unused;
   vec4 viewport;
   vec4 previous_viewport;
-  vec4 depth_range;     // stored = depth * x + y; valid in z..w
-  vec4 tolerance;       // quantization step, slope factor, relative epsilon, slope cap
-  vec4 payload_scale;   // encoded = payload * scale + offset
-  vec4 payload_offset;
-  vec4 payload_range;   // x..y: encoded values that can be stored
+  uvec4 due;            // which blocks are due: struct DueBlocks of runtime/package/recipe.h
   vec4 free_payload;
 } reprise;

@@ -1,8 +1,9 @@
 // The lookup: reproject, test visibility, fetch (Nehab et al. 2007, sections 3.1-3.3).
 //
-// Where the fragment's surface point was in the last frame comes from the vertex side as (x, y, w) of its clip position, or
-// (x, y, z) for orthographic cameras. The history is filtered by the sampler in unnormalized coordinates, payload and depth
-// alike: a footprint across a depth edge gives a depth that matches no surface, hence a miss.
+// Where the fragment's surface point was in the last frame comes from the vertex side in pixels of that frame, homogeneous: (x w,
+// y w, w), or (x, y, z) for orthographic cameras. The history is filtered by the sampler in unnormalized coordinates, payload
+// and depth alike: a footprint across a depth edge gives a depth that matches no surface, hence a miss. So does what lies
+// outside the image, where the sampler's border is 0, and what lies outside the viewport, where nothing was drawn.
 layout(location = PREVIOUS_LOCATION) in vec3 reprise_previous;
 layout(set = REPRISE_SET, binding = 2) uniform sampler2D reprise_history;
 #if !DEPTH_IN_ALPHA
@@ -13,12 +14,10 @@ layout(set = REPRISE_SET, binding = 3) uniform sampler2D reprise_history_depth;
 bool repriseLookup(out vec4 texel) {
   float depth = reprise_previous.z;
 #if ORTHOGRAPHIC
-  vec2 clip = reprise_previous.xy;
+  vec2 at = reprise_previous.xy;
 #else
-  vec2 clip = reprise_previous.xy * (1.0 / depth);
+  vec2 at = reprise_previous.xy * (1.0 / depth);
 #endif
-  vec4 viewport = reprise.previous_viewport;
-  vec2 at = (clip * 0.5 + 0.5) * viewport.zw + viewport.xy;
 #if BILINEAR
   // A point that did not move must fetch its own texel and no other (frozen world, no error); nearest does so by itself.
   vec2 centre = floor(at) + 0.5;
@@ -27,8 +26,8 @@ bool repriseLookup(out vec4 texel) {
 #endif
 
   float expected = repriseStoredDepth(depth);
-  float slope = min((abs(dFdx(expected)) + abs(dFdy(expected))) * reprise.tolerance.y, reprise.tolerance.w);
-  float tolerance = reprise.tolerance.x + slope + reprise.tolerance.z * expected;
+  float slope = min((abs(dFdx(expected)) + abs(dFdy(expected))) * TOLERANCE.y, TOLERANCE.w);
+  float tolerance = TOLERANCE.x + slope + TOLERANCE.z * expected;
 
   texel = textureLod(reprise_history, at, 0.0);
 #if NARROW
@@ -39,12 +38,8 @@ bool repriseLookup(out vec4 texel) {
   float stored = textureLod(reprise_history_depth, at, 0.0).r;
 #endif
   bool hit = abs(stored - expected) <= tolerance;
-  bool inside = max(abs(clip.x), abs(clip.y)) < 1.0;
   bool fresh = !repriseDue();
-  bool known = reprise.history_valid != 0u;
-  hit = hit && inside;
   hit = hit && fresh;
-  hit = hit && known;
 #if !ORTHOGRAPHIC
   bool in_front = depth > 0.0;
   hit = hit && in_front;

@@ -6,7 +6,7 @@ layout(set = REPRISE_SET, binding = 2) uniform sampler2D reprise_now;
 void main() {
   vec4 encoded = textureLod(reprise_now, gl_FragCoord.xy, 0.0);
 #if AFFINE
-  encoded = (encoded - reprise.payload_offset) / reprise.payload_scale;
+  encoded = (encoded - PAYLOAD_OFFSET) * (1.0 / PAYLOAD_SCALE);
 #endif
   reprise_payload = encoded;
   reprise_hit();
