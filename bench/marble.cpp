@@ -34,7 +34,7 @@ constexpr std::uint32_t kBlock = 16;
 constexpr int kErrorFrames = 48;
 constexpr std::uint32_t kSizes[][2] = {{640, 360}, {1280, 720}};
 constexpr Filter kFilters[] = {Filter::kBilinear, Filter::kNearest};
-constexpr Encoding kEncodings[] = {Encoding::kRgba16f, Encoding::kRgba8};
+constexpr Encoding kEncodings[] = {Encoding::kRgba16, Encoding::kRgba16f, Encoding::kRgba8};
 
 struct Row {
   std::string name, variant;

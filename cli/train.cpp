@@ -334,6 +334,7 @@ class Trainer {
       addStudy(base.candidate, options);
     };
     alternative([](VariantOptions& options) { options.encoding = Encoding::kRgba8; });
+    alternative([](VariantOptions& options) { options.encoding = Encoding::kRgba16; });
     alternative([](VariantOptions& options) { options.filter = Filter::kNearest; });
     alternative([](VariantOptions& options) { options.pattern = PatternKind::kTiled; });
     alternative([](VariantOptions& options) { options.pattern = PatternKind::kRandom; });

@@ -74,7 +74,7 @@ class RecipeBuilder {
     recipe().requirements.stencil = strategy_.needs_stencil;
     recipe().requirements.independent_blend = options_.instrumented && strategy_.caches;
     if (!strategy_.caches) return;
-    recipe().requirements.linear_filter_float = options_.filter == Filter::kBilinear;
+    recipe().requirements.linear_filter = options_.filter == Filter::kBilinear;
     recipe().constants = encodingConstants(layout_, options_.encoding, options_.filter, options_.ranges);
     PayloadValue value{candidate_.name.empty() ? candidate_.id : candidate_.name, candidate_.type, candidate_.place.file,
                        candidate_.place.line, candidate_.place.column, candidate_.channels, options_.ranges.payload_min,
@@ -108,7 +108,7 @@ class RecipeBuilder {
             {"CACHE_LOCATION", "0"},
             {"COUNT_LOCATION", "0"},
             {"CHANNELS", number(candidate_.channels)},
-            {"NARROW", flag(layout_.payload_format == ResourceFormat::kRg16Sfloat)},
+            {"NARROW", flag(layout_.narrow)},
             {"DEPTH_IN_ALPHA", flag(layout_.depth_in_alpha)},
             {"AFFINE", flag(layout_.affine)},
             {"KEEP_RAW", flag(strategy_.keeps_raw_payload)},

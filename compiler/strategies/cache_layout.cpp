@@ -9,12 +9,22 @@ namespace {
 // Stored depth spans [kNearestStored, 1], away from 0, which means "invalid".
 constexpr float kNearestStored = 1.0f / 16;
 constexpr float kHalfStep = 1.0f / 2048;           // spacing of 16-bit floats in [0.5, 1)
+constexpr float kUnorm16Step = 1.0f / 65535;
 constexpr float kFloatStep = 1.0f / (1 << 20);     // interpolation noise of 32-bit floats, some units in the last place
 constexpr float kRelativeEpsilon = 1e-4f;
 constexpr float kSlopeCap = 0.01f;
 constexpr float kLargestHalf = 65504;
 constexpr float kLargestFloat = 3.0e38f;
 constexpr float kRangeMargin = 0.02f;
+
+float depthStep(const CacheLayout& layout, Encoding encoding) {
+  if (!layout.depth_in_alpha) return layout.depth_format == ResourceFormat::kR16Sfloat ? kHalfStep : kFloatStep;
+  switch (encoding) {
+    case Encoding::kRgba16: return kUnorm16Step;
+    case Encoding::kRgba16f: return kHalfStep;
+    default: return kFloatStep;
+  }
+}
 
 }  // namespace
 
@@ -26,8 +36,15 @@ CacheLayout cacheLayout(int channels, Encoding encoding) {
       layout.depth_in_alpha = false;
       layout.affine = true;
       break;
+    case Encoding::kRgba16:
+      layout.narrow = channels == 1;
+      layout.payload_format = layout.narrow ? ResourceFormat::kRg16Unorm : ResourceFormat::kRgba16Unorm;
+      layout.depth_in_alpha = channels <= 3;
+      layout.affine = true;
+      break;
     case Encoding::kRgba16f:
-      layout.payload_format = channels == 1 ? ResourceFormat::kRg16Sfloat : ResourceFormat::kRgba16Sfloat;
+      layout.narrow = channels == 1;
+      layout.payload_format = layout.narrow ? ResourceFormat::kRg16Sfloat : ResourceFormat::kRgba16Sfloat;
       layout.depth_in_alpha = channels <= 3;
       break;
     case Encoding::kRgba32f:
@@ -47,8 +64,7 @@ CacheConstants encodingConstants(const CacheLayout& layout, Encoding encoding, F
   constants.depth_range[1] = kNearestStored - ranges.depth_near * constants.depth_range[0];
   constants.depth_range[2] = kNearestStored * 0.99f;
   constants.depth_range[3] = 1.001f;
-  const bool half_depth = layout.depth_in_alpha ? encoding == Encoding::kRgba16f : layout.depth_format == ResourceFormat::kR16Sfloat;
-  constants.tolerance[0] = half_depth ? kHalfStep : kFloatStep;
+  constants.tolerance[0] = depthStep(layout, encoding);
   // A nearest fetch is up to half a pixel off in each direction; a filtered one only as far as depth bends over a pixel.
   constants.tolerance[1] = filter == Filter::kNearest ? 0.75f : 0.5f;
   constants.tolerance[2] = kRelativeEpsilon;

@@ -1,8 +1,10 @@
 // Where payload and depth of a candidate lie in history images, and the constants that encode them.
 //
 // Depth goes into the payload's spare alpha where that is a float channel; beside 8-bit payloads and four-channel ones
-// it has an image of its own, since 8 bits of depth confuse surfaces (law 10). A single channel of 16 bits shares a two-channel image with its
-// depth: half the memory of the four-channel format, and less to convert per fetch and store.
+// it has an image of its own, since 8 bits of depth confuse surfaces (law 10). A single channel of 16 bits shares a two-channel
+// image with its depth: half the memory of the four-channel format, and less to convert per fetch and store. rgba8 and rgba16
+// scale the payload into the range that training saw; what lies outside is stored invalid. Not every device renders to the
+// 16-bit unorm formats.
 #pragma once
 
 #include <array>
@@ -13,7 +15,7 @@ namespace reprise {
 
 struct ValueRanges {
   float depth_near = 0.1f, depth_far = 100;  // view-linear depth that can occur
-  // Payload as seen in training, by channel; used by rgba8 alone. min == max: unknown, taken as [0, 1].
+  // Payload as seen in training, by channel; used by rgba8 and rgba16. min == max: unknown, taken as [0, 1].
   std::array<float, 4> payload_min = {}, payload_max = {};
 };
 
@@ -21,6 +23,7 @@ struct CacheLayout {
   ResourceFormat payload_format = ResourceFormat::kRgba16Sfloat;
   bool depth_in_alpha = true;                                // in the last channel of the payload's image
   ResourceFormat depth_format = ResourceFormat::kR16Sfloat;  // where not in alpha
+  bool narrow = false;                                       // one channel of payload, depth in the second
   bool affine = false;                                       // payload is scaled into [0, 1]
   int bytes_per_pixel = 8;                                   // of one history; two are held
 };

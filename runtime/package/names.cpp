@@ -28,10 +28,12 @@ constexpr std::array<std::pair<PatternKind, const char*>, 3> kPatterns = {
     {{PatternKind::kTiled, "tiled"}, {PatternKind::kRandom, "random"}, {PatternKind::kInterleaved, "interleaved"}}};
 constexpr std::array<std::pair<Filter, const char*>, 2> kFilters = {
     {{Filter::kNearest, "nearest"}, {Filter::kBilinear, "bilinear"}}};
-constexpr std::array<std::pair<Encoding, const char*>, 3> kEncodings = {
-    {{Encoding::kRgba8, "rgba8"}, {Encoding::kRgba16f, "rgba16f"}, {Encoding::kRgba32f, "rgba32f"}}};
-constexpr std::array<std::pair<ResourceFormat, const char*>, 7> kFormats = {
+constexpr std::array<std::pair<Encoding, const char*>, 4> kEncodings = {
+    {{Encoding::kRgba8, "rgba8"}, {Encoding::kRgba16, "rgba16"}, {Encoding::kRgba16f, "rgba16f"}, {Encoding::kRgba32f, "rgba32f"}}};
+constexpr std::array<std::pair<ResourceFormat, const char*>, 9> kFormats = {
     {{ResourceFormat::kRgba8Unorm, "rgba8_unorm"},
+     {ResourceFormat::kRg16Unorm, "rg16_unorm"},
+     {ResourceFormat::kRgba16Unorm, "rgba16_unorm"},
      {ResourceFormat::kRg16Sfloat, "rg16_sfloat"},
      {ResourceFormat::kRgba16Sfloat, "rgba16_sfloat"},
      {ResourceFormat::kRgba32Sfloat, "rgba32_sfloat"},
@@ -53,6 +55,8 @@ std::optional<ResourceFormat> resourceFormatOf(const std::string& name) { return
 int bytesPerPixel(ResourceFormat format) {
   switch (format) {
     case ResourceFormat::kRgba8Unorm: return 4;
+    case ResourceFormat::kRg16Unorm: return 4;
+    case ResourceFormat::kRgba16Unorm: return 8;
     case ResourceFormat::kRg16Sfloat: return 4;
     case ResourceFormat::kRgba16Sfloat: return 8;
     case ResourceFormat::kRgba32Sfloat: return 16;

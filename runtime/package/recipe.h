@@ -28,7 +28,7 @@ inline constexpr int kRecipeFormatVersion = 2;
 
 enum class PatternKind { kTiled, kRandom, kInterleaved };
 enum class Filter { kNearest, kBilinear };
-enum class Encoding { kRgba8, kRgba16f, kRgba32f };
+enum class Encoding { kRgba8, kRgba16, kRgba16f, kRgba32f };  // unorm in the trained range: rgba8, rgba16
 
 // Spellings of the command line, of files and of reports: "tiled", "nearest", "rgba16f".
 const char* nameOf(PatternKind kind);
@@ -89,7 +89,7 @@ struct CacheConstants {
   float free_payload[4] = {};             // FrameUniforms::free_payload
 };
 
-enum class ResourceFormat { kRgba8Unorm, kRg16Sfloat, kRgba16Sfloat, kRgba32Sfloat, kR8Unorm, kR16Sfloat, kR32Sfloat };
+enum class ResourceFormat { kRgba8Unorm, kRg16Unorm, kRgba16Unorm, kRg16Sfloat, kRgba16Sfloat, kRgba32Sfloat, kR8Unorm, kR16Sfloat, kR32Sfloat };
 const char* nameOf(ResourceFormat format);
 std::optional<ResourceFormat> resourceFormatOf(const std::string& name);
 int bytesPerPixel(ResourceFormat format);
@@ -185,7 +185,7 @@ struct Requirements {
   bool stencil = false;                 // the depth target must have stencil
   bool depth_less_or_greater = false;   // strict comparison with depth writes
   bool independent_blend = false;
-  bool linear_filter_float = false;     // RGBA16F or RGBA32F filtered
+  bool linear_filter = false;           // of the history formats
   int color_attachments = 1;
   bool operator==(const Requirements&) const = default;
 };

@@ -135,13 +135,13 @@ CacheConstants constantsFrom(const json& from) {
 
 json toJson(const Requirements& needs) {
   return {{"stencil", needs.stencil}, {"depth_less_or_greater", needs.depth_less_or_greater},
-          {"independent_blend", needs.independent_blend}, {"linear_filter_float", needs.linear_filter_float},
+          {"independent_blend", needs.independent_blend}, {"linear_filter", needs.linear_filter},
           {"color_attachments", needs.color_attachments}};
 }
 
 Requirements requirementsFrom(const json& from) {
   return {boolAt(from, "stencil"), boolAt(from, "depth_less_or_greater"), boolAt(from, "independent_blend"),
-          boolAt(from, "linear_filter_float"), integerAt<int>(from, "color_attachments")};
+          boolAt(from, "linear_filter"), integerAt<int>(from, "color_attachments")};
 }
 
 }  // namespace

@@ -5,6 +5,8 @@ namespace reprise {
 VkFormat vulkanFormat(ResourceFormat format) {
   switch (format) {
     case ResourceFormat::kRgba8Unorm: return VK_FORMAT_R8G8B8A8_UNORM;
+    case ResourceFormat::kRg16Unorm: return VK_FORMAT_R16G16_UNORM;
+    case ResourceFormat::kRgba16Unorm: return VK_FORMAT_R16G16B16A16_UNORM;
     case ResourceFormat::kRg16Sfloat: return VK_FORMAT_R16G16_SFLOAT;
     case ResourceFormat::kRgba16Sfloat: return VK_FORMAT_R16G16B16A16_SFLOAT;
     case ResourceFormat::kRgba32Sfloat: return VK_FORMAT_R32G32B32A32_SFLOAT;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr PatternKind kPatterns[] = {PatternKind::kTiled, PatternKind::kRandom, PatternKind::kInterleaved};
 constexpr Filter kFilters[] = {Filter::kNearest, Filter::kBilinear};
-constexpr Encoding kEncodings[] = {Encoding::kRgba8, Encoding::kRgba16f, Encoding::kRgba32f};
+constexpr Encoding kEncodings[] = {Encoding::kRgba8, Encoding::kRgba16, Encoding::kRgba16f, Encoding::kRgba32f};
 constexpr std::uint32_t kPeriod = 4;
 constexpr int kFrames = 6;
 
@@ -24,6 +24,7 @@ constexpr int kFrames = 6;
 double toleranceOf(Encoding encoding) {
   switch (encoding) {
     case Encoding::kRgba8: return 2.6 / 255 * 4 + 1.0 / 255;
+    case Encoding::kRgba16: return 1.0 / 65535 * 4 * 4 + 1.0 / 255;
     case Encoding::kRgba16f: return 2.0 / 1024 * 4 + 1.0 / 255;
     case Encoding::kRgba32f: return 0;
   }

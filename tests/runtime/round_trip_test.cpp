@@ -45,7 +45,7 @@ std::vector<T> some(Make make) {
 
 Resource anyResource() {
   return {anyText(),
-          oneOf({ResourceFormat::kRgba8Unorm, ResourceFormat::kRg16Sfloat, ResourceFormat::kRgba16Sfloat, ResourceFormat::kRgba32Sfloat,
+          oneOf({ResourceFormat::kRgba8Unorm, ResourceFormat::kRg16Unorm, ResourceFormat::kRgba16Unorm, ResourceFormat::kRg16Sfloat, ResourceFormat::kRgba16Sfloat, ResourceFormat::kRgba32Sfloat,
                  ResourceFormat::kR8Unorm, ResourceFormat::kR16Sfloat, ResourceFormat::kR32Sfloat}),
           anyFloat(), oneOf({Lifetime::kFrame, Lifetime::kHistory, Lifetime::kPersistent}), anyFloats()};
 }
@@ -85,7 +85,7 @@ Recipe anyRecipe() {
   recipe.pattern = oneOf({PatternKind::kTiled, PatternKind::kRandom, PatternKind::kInterleaved});
   recipe.block_pixels = anyCount();
   recipe.filter = oneOf({Filter::kNearest, Filter::kBilinear});
-  recipe.encoding = oneOf({Encoding::kRgba8, Encoding::kRgba16f, Encoding::kRgba32f});
+  recipe.encoding = oneOf({Encoding::kRgba8, Encoding::kRgba16, Encoding::kRgba16f, Encoding::kRgba32f});
   recipe.period_frames = oneOf({kNeverRefresh, 1u, 64u});
   recipe.payload = some<PayloadValue>(anyPayload);
   recipe.requirements = {anyBool(), anyBool(), anyBool(), anyBool(), anyInt()};
