@@ -1,5 +1,6 @@
 // The worker's side of the pipe. One JSON object a line on standard output: {"progress": [done, total]}, then {"result": ...} or
 // {"error": {kind, code, message}}.
+#include <malloc.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -35,6 +36,17 @@ class Answers {
   int descriptor_;
 };
 
+// A software rasterizer allocates every frame's bins anew. Where the C library gives that memory back to the system in between,
+// whoever comes next pays for its pages: 20 ms instead of 13 for a cached frame that follows an original one, though not for one that
+// follows its like, which is what an application plays. So the heap keeps what frames free.
+void keepFreedMemory() {
+#ifdef __GLIBC__
+  constexpr int kNeverTrim = 2'000'000'000, kLargestMmapThreshold = 32 << 20;
+  ::mallopt(M_TRIM_THRESHOLD, kNeverTrim);
+  ::mallopt(M_MMAP_THRESHOLD, kLargestMmapThreshold);
+#endif
+}
+
 Result<JobResult> answer(const std::string& text, const Answers& answers) {
   REPRISE_ASSIGN(const Job job, jobFromJson(text));
   try {
@@ -47,6 +59,7 @@ Result<JobResult> answer(const std::string& text, const Answers& answers) {
 }  // namespace
 
 int runWorker() {
+  keepFreedMemory();
   const Answers answers;
   const std::string text((std::istreambuf_iterator<char>(std::cin)), std::istreambuf_iterator<char>());
   const Result<JobResult> result = answer(text, answers);

@@ -9,13 +9,16 @@ namespace {
 struct FormatShape {
   std::uint32_t channels = 0;
   std::uint32_t bytes = 0;  // of a channel
+  bool unorm = false;
 };
 
 FormatShape shapeOf(VkFormat format) {
   switch (format) {
-    case VK_FORMAT_R8_UNORM: return {1, 1};
+    case VK_FORMAT_R8_UNORM: return {1, 1, true};
     case VK_FORMAT_R8G8B8A8_UNORM:
-    case VK_FORMAT_R8G8B8A8_SRGB: return {4, 1};
+    case VK_FORMAT_R8G8B8A8_SRGB: return {4, 1, true};
+    case VK_FORMAT_R16G16_UNORM: return {2, 2, true};
+    case VK_FORMAT_R16G16B16A16_UNORM: return {4, 2, true};
     case VK_FORMAT_R16_SFLOAT: return {1, 2};
     case VK_FORMAT_R16G16_SFLOAT: return {2, 2};
     case VK_FORMAT_R16G16B16A16_SFLOAT: return {4, 2};
@@ -34,12 +37,12 @@ float halfToFloat(std::uint16_t half) {
   return std::bit_cast<float>(sign | ((exponent + 112) << 23) | (mantissa << 13));
 }
 
-float channelAt(const std::byte* at, std::uint32_t bytes) {
-  if (bytes == 1) return static_cast<float>(std::to_integer<int>(*at)) / 255.0f;
-  if (bytes == 2) {
-    std::uint16_t half;
-    std::memcpy(&half, at, 2);
-    return halfToFloat(half);
+float channelAt(const std::byte* at, const FormatShape& shape) {
+  if (shape.bytes == 1) return static_cast<float>(std::to_integer<int>(*at)) / 255.0f;
+  if (shape.bytes == 2) {
+    std::uint16_t bits;
+    std::memcpy(&bits, at, 2);
+    return shape.unorm ? static_cast<float>(bits) / 65535.0f : halfToFloat(bits);
   }
   float value;
   std::memcpy(&value, at, 4);
@@ -87,7 +90,7 @@ std::vector<float> toFloats(std::span<const std::byte> bytes, VkFormat format) {
     float* out = &rgba[pixel * 4];
     out[0] = out[1] = out[2] = 0;
     out[3] = 1;
-    for (std::uint32_t channel = 0; channel < shape.channels; ++channel, at += shape.bytes) out[channel] = channelAt(at, shape.bytes);
+    for (std::uint32_t channel = 0; channel < shape.channels; ++channel, at += shape.bytes) out[channel] = channelAt(at, shape);
   }
   return rgba;
 }

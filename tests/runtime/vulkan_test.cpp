@@ -7,6 +7,7 @@
 #include <cstring>
 #include <optional>
 
+#include "runtime/playback/formats.h"
 #include "runtime/vulkan/readback.h"
 #include "runtime/vulkan/upload.h"
 
@@ -131,6 +132,19 @@ TEST_F(Vulkan, FormatsThatCannotBeReadAreRefused) {
   const auto bytes = readback.read(*commands_, {VK_NULL_HANDLE, VK_FORMAT_BC7_UNORM_BLOCK, {4, 4}});
   ASSERT_FALSE(bytes.ok());
   EXPECT_EQ(bytes.error().code, "readback.format");
+}
+
+TEST(ToFloats, EveryFormatOfARecipeCanBeReadBack) {
+  for (int i = 0; i <= static_cast<int>(ResourceFormat::kR32Sfloat); ++i) {
+    const auto format = static_cast<ResourceFormat>(i);
+    EXPECT_EQ(formatBytes(vulkanFormat(format)), static_cast<std::uint32_t>(bytesPerPixel(format))) << nameOf(format);
+  }
+}
+
+TEST(ToFloats, SixteenBitUnorm) {
+  const std::uint16_t words[] = {0, 65535, 32768, 1};
+  const std::vector<float> rgba = toFloats(std::as_bytes(std::span(words)), VK_FORMAT_R16G16_UNORM);
+  EXPECT_EQ(rgba, (std::vector<float>{0, 1, 0, 1, 32768 / 65535.0f, 1 / 65535.0f, 0, 1}));
 }
 
 TEST(ToFloats, HalfFloatsOfEveryKind) {
