@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compiler/strategies/cache_layout.h"
+#include "fitting/selection/pace.h"
 
 namespace reprise {
 namespace {
@@ -188,12 +189,6 @@ std::vector<RunSession> describeSessions(const ValidationRun& run, const std::st
   return sessions;
 }
 
-// Time of the original per fragment, validation over training; the faster of the original with and without a prepass, both times.
-double paceOf(double training_ms_per_fragment, const ValidationRun& run) {
-  const double reference_ms = run.prepass_ms < run.original_ms ? run.prepass_ms : run.original_ms;
-  return reference_ms / run.fragments_per_frame / training_ms_per_fragment;
-}
-
 void describeAccepted(const Subject& subject, const Training& training, const FittedTraining& fitted, const ValidationAttempt& attempt,
                       RunResult& result) {
   const Configuration& configuration = fitted.input.configurations[attempt.configuration];
@@ -223,7 +218,8 @@ void describeAccepted(const Subject& subject, const Training& training, const Fi
   // Predicted for the validation's own hits and misses, as its scene covers another share of the screen than training's, and at
   // its pace: what a machine takes for the same work drifts by more between two runs than within one.
   const double hits = run.fragments_per_frame * run.hit_rate;
-  choice.pace = known(paceOf(fitted.input.original_frame_ms / configuration.fragments_per_frame, run));
+  choice.pace = known(paceOf({fitted.input.original_frame_ms, configuration.fragments_per_frame},
+                              {run.prepass_ms < run.original_ms ? run.prepass_ms : run.original_ms, run.fragments_per_frame}));
   choice.predicted_frame_ms = known(choice.pace.value_or(1) * predictFrameTime(configuration.cost, hits, run.fragments_per_frame - hits));
   choice.measured_frame_ms = known(run.binding.variant_median_ms);
   choice.p95_ms = known(run.binding.variant_p95_ms);

@@ -148,7 +148,7 @@ class Trainer {
     training_.ranges[candidate] = ranges;
     const std::string& id = subject_.candidates[candidate].id;
     if (probe.nonfinite_payload > 0)
-      training_.warnings.push_back(fmt::format("{}: {} pixels had a payload that is not finite; such pixels always miss", id, probe.nonfinite_payload));
+      training_.warnings.push_back(fmt::format("{}: {} pixels had a payload that is not finite or was not computed; such pixels always miss", id, probe.nonfinite_payload));
     if (probe.nonfinite_color > 0 && !warned_nonfinite_) {
       warned_nonfinite_ = true;
       training_.warnings.push_back(fmt::format("the original shader itself gives NaN or infinity in {} pixels of the probe; they are left out of errors",

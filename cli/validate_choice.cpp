@@ -78,7 +78,7 @@ void summarizeErrors(const ValidationPlan& plan, ValidationRun& run) {
     const auto error = sessionError(plan.metric, {&session.rows}, plan.options.period_frames);
     if (error) run.worst_session_error = std::max(run.worst_session_error, *error);
     for (const ErrorRow& row : session.rows) {
-      run.nonfinite += row.nonfinite;
+      run.spoiled += row.spoiled;
       if (row.frame < settled) continue;
       hits += static_cast<double>(row.hits);
       covered += static_cast<double>(row.covered);
@@ -136,7 +136,7 @@ Result<ValidationRun> validateChoice(const Subject& subject, const Workspace& wo
   summarizeErrors(plan, run);
   REPRISE_TRY(measureValidationTimes(subject, workspace, measuring, plan, run));
   // The threshold holds for every session, not only for all of them together.
-  run.judgement = judge({run.worst_session_error, 0, run.binding, run.wall, plan.cpu_clock ? "process CPU time" : "time stamps"}, plan.max_error);
+  run.judgement = judge({run.worst_session_error, run.spoiled, run.binding, run.wall, plan.cpu_clock ? "process CPU time" : "time stamps"}, plan.max_error);
   return run;
 }
 

@@ -39,7 +39,7 @@ struct ValidationRun {
   std::string reference;            // which that was: "original" or "original_prepass"
   double original_ms = 0, original_wall_ms = 0, prepass_ms = 0, limit_ms = 0;  // medians; NaN where not measured
   double fragments_per_frame = 0;
-  std::uint64_t nonfinite = 0;
+  std::uint64_t spoiled = 0;        // pixels that are not finite where the original is
   Judgement judgement;
 };
 

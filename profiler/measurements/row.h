@@ -26,6 +26,7 @@ struct ErrorRow {
   std::uint64_t covered = 0, hits = 0, misses = 0;              // pixels, by the fragment that won
   std::uint64_t shaded_hits = 0, shaded_misses = 0;             // fragments, overdraw included
   std::uint64_t nonfinite = 0;                                  // pixels whose original or cached colour is NaN or infinite
+  std::uint64_t spoiled = 0;                                    // of these, where the original's is finite
   std::map<std::string, double> errors;                         // by metric name
   bool operator==(const ErrorRow&) const = default;
 };

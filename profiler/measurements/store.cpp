@@ -57,7 +57,7 @@ Result<void> insertErrorRows(Database* database, std::int64_t series, const std:
   REPRISE_ASSIGN(Statement mark, database->prepare("INSERT INTO error_series VALUES (?)"));
   mark.bind(0, series);
   REPRISE_TRY(runOnce(&mark));
-  REPRISE_ASSIGN(Statement add_row, database->prepare("INSERT INTO error_rows VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"));
+  REPRISE_ASSIGN(Statement add_row, database->prepare("INSERT INTO error_rows VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"));
   REPRISE_ASSIGN(Statement add_value, database->prepare("INSERT INTO error_values VALUES (?, ?, ?, ?)"));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const ErrorRow& row = rows[i];
@@ -66,7 +66,7 @@ Result<void> insertErrorRows(Database* database, std::int64_t series, const std:
     for (const std::int64_t number : {series, index, std::int64_t{row.frame}}) add_row.bind(parameter++, number);
     // Counts beyond 2^63 come back whole from the two's complement.
     for (const std::uint64_t count :
-         {row.covered, row.hits, row.misses, row.shaded_hits, row.shaded_misses, row.nonfinite}) {
+         {row.covered, row.hits, row.misses, row.shaded_hits, row.shaded_misses, row.nonfinite, row.spoiled}) {
       add_row.bind(parameter++, static_cast<std::int64_t>(count));
     }
     REPRISE_TRY(runOnce(&add_row));
@@ -82,7 +82,7 @@ Result<void> insertErrorRows(Database* database, std::int64_t series, const std:
 }
 
 Result<std::vector<ErrorRow>> readErrorRows(const Database& database, std::int64_t series) {
-  REPRISE_ASSIGN(Statement read, database.prepare("SELECT frame, covered, hits, misses, shaded_hits, shaded_misses, nonfinite"
+  REPRISE_ASSIGN(Statement read, database.prepare("SELECT frame, covered, hits, misses, shaded_hits, shaded_misses, nonfinite, spoiled"
                                                   " FROM error_rows WHERE series = ? ORDER BY row"));
   read.bind(0, series);
   std::vector<ErrorRow> rows;
@@ -90,7 +90,7 @@ Result<std::vector<ErrorRow>> readErrorRows(const Database& database, std::int64
     REPRISE_ASSIGN(const bool has_row, read.step());
     if (!has_row) break;
     const auto count = [&](int column) { return static_cast<std::uint64_t>(read.number(column)); };
-    rows.push_back({static_cast<int>(read.number(0)), count(1), count(2), count(3), count(4), count(5), count(6), {}});
+    rows.push_back({static_cast<int>(read.number(0)), count(1), count(2), count(3), count(4), count(5), count(6), count(7), {}});
   }
   REPRISE_ASSIGN(Statement values, database.prepare("SELECT row, metric, value FROM error_values WHERE series = ?"));
   values.bind(0, series);

@@ -18,6 +18,7 @@ CREATE TABLE error_rows (
   series INTEGER NOT NULL REFERENCES series, row INTEGER NOT NULL, frame INTEGER NOT NULL,
   covered INTEGER NOT NULL, hits INTEGER NOT NULL, misses INTEGER NOT NULL,
   shaded_hits INTEGER NOT NULL, shaded_misses INTEGER NOT NULL, nonfinite INTEGER NOT NULL,
+  spoiled INTEGER NOT NULL,
   PRIMARY KEY (series, row)) WITHOUT ROWID;
 CREATE TABLE error_values (
   series INTEGER NOT NULL REFERENCES series, row INTEGER NOT NULL, metric TEXT NOT NULL, value REAL,

@@ -20,7 +20,7 @@ json errorRowJson(const ErrorRow& row) {
   // JSON has no NaN; null stands for it.
   for (const auto& [name, value] : row.errors) errors[name] = value;
   return {{"frame", row.frame}, {"covered", row.covered}, {"hits", row.hits}, {"misses", row.misses},
-          {"shaded_hits", row.shaded_hits}, {"shaded_misses", row.shaded_misses}, {"nonfinite", row.nonfinite}, {"errors", errors}};
+          {"shaded_hits", row.shaded_hits}, {"shaded_misses", row.shaded_misses}, {"nonfinite", row.nonfinite}, {"spoiled", row.spoiled}, {"errors", errors}};
 }
 
 ErrorRow errorRowFrom(const json& from) {
@@ -32,6 +32,7 @@ ErrorRow errorRowFrom(const json& from) {
   row.shaded_hits = from.at("shaded_hits");
   row.shaded_misses = from.at("shaded_misses");
   row.nonfinite = from.at("nonfinite");
+  row.spoiled = from.at("spoiled");
   for (const auto& [name, value] : from.at("errors").items())
     row.errors[name] = value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
   return row;

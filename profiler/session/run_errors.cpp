@@ -185,6 +185,7 @@ class ErrorRun {
     for (std::size_t pixel = 0; pixel < mask_.kind.size(); ++pixel) {
       if (mask_.kind[pixel] == 0 || (original_.nonfinite[pixel] | cached_.nonfinite[pixel]) == 0) continue;
       ++row.nonfinite;
+      if (original_.nonfinite[pixel] == 0) ++row.spoiled;
       mask_.kind[pixel] = 0;
     }
     if (row.covered == row.nonfinite) return;

@@ -32,7 +32,7 @@ inline std::vector<ErrorRow> errorRowsOf(int index, int frames) {
   std::vector<ErrorRow> rows;
   for (int frame = 0; frame < frames; ++frame) {
     const auto n = static_cast<std::uint64_t>(1000 * index + frame);
-    rows.push_back({frame, n + 5, n + 2, 3, n + 4, 6, 0, {{"rms", 0.001 * index}, {"flip", 0.5 / (frame + 1)}}});
+    rows.push_back({frame, n + 5, n + 2, 3, n + 4, 6, 0, 0, {{"rms", 0.001 * index}, {"flip", 0.5 / (frame + 1)}}});
   }
   return rows;
 }
@@ -47,6 +47,7 @@ inline rc::Gen<ErrorRow> anyErrorRow() {
       rc::gen::set(&ErrorRow::frame), rc::gen::set(&ErrorRow::covered, count), rc::gen::set(&ErrorRow::hits, count),
       rc::gen::set(&ErrorRow::misses, count), rc::gen::set(&ErrorRow::shaded_hits, count),
       rc::gen::set(&ErrorRow::shaded_misses, count), rc::gen::set(&ErrorRow::nonfinite, count),
+      rc::gen::set(&ErrorRow::spoiled, count),
       rc::gen::set(&ErrorRow::errors,
                    rc::gen::container<std::map<std::string, double>>(rc::gen::arbitrary<std::string>(), finiteNumber())));
 }

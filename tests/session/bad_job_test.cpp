@@ -61,6 +61,16 @@ layout(location = 0) out vec4 color;
 void main() { color = vec4(vec3(0.5 / max(sign(place.x), 0.0)), 1.0); }
 )";
 
+// Finite, but the tail takes a logarithm of what eight bits may round below zero.
+constexpr const char* kBrittleFragment = R"(#version 450
+layout(location = 0) in vec3 place;
+layout(location = 0) out vec4 color;
+void main() {
+  float small = exp(sin(place.x * 9.0) * cos(place.y * 7.0) - 10.0);
+  color = vec4(vec3(-0.05 * log(small)), 1.0);
+}
+)";
+
 constexpr const char* kInfiniteScenario = R"(name = "infinite"
 [shader]
 fragment = "infinite.frag"
@@ -87,11 +97,11 @@ camera = { eye = [0, 0, 6], target = [0, 0, 0] }
 
 class Infinite : public testing::Test {
  protected:
-  MeasuredScene sceneWith(const std::string& format) const {
+  MeasuredScene sceneWith(const std::string& format, const char* fragment = kFragment) const {
     std::string text = kInfiniteScenario;
     text.replace(text.find("FORMAT"), 6, format);
     writeText(folder_ / "infinite.vert", kVertex);
-    writeText(folder_ / "infinite.frag", kFragment);
+    writeText(folder_ / "infinite.frag", fragment);
     writeText(folder_ / "infinite.toml", text);
     return MeasuredScene((folder_ / "infinite.toml").string());
   }
@@ -106,9 +116,25 @@ TEST_F(Infinite, PixelsAreCountedAndLeftOutOfErrors) {
   for (const ErrorRow& row : result->errors.at(0)) {
     EXPECT_GT(row.nonfinite, row.covered / 3);
     EXPECT_LT(row.nonfinite, row.covered * 2 / 3);
+    EXPECT_EQ(row.spoiled, 0u);
     ASSERT_FALSE(row.errors.empty());
     for (const auto& [metric, value] : row.errors) EXPECT_TRUE(std::isfinite(value)) << metric;
   }
+}
+
+TEST_F(Infinite, PixelsThatOnlyTheVariantSpoilsAreCountedApart) {
+  const MeasuredScene scene = sceneWith("rgba16_sfloat", kBrittleFragment);
+  VariantOptions options = countingVariant();
+  options.encoding = Encoding::kRgba8;
+  options.ranges.payload_min[0] = -0.3f;
+  options.ranges.payload_max[0] = 1;
+  const std::string variant = scene.variant("brittle", options, "small");
+  const Result<JobResult> result = runJob(scene.job(JobKind::kErrors, {variant, 8}), {});
+  ASSERT_TRUE(result.ok()) << formatError(result.error());
+  const std::vector<ErrorRow>& rows = result->errors.at(0);
+  EXPECT_EQ(rows.at(0).spoiled, 0u);
+  EXPECT_GT(rows.at(1).spoiled, rows.at(1).hits / 2);
+  EXPECT_EQ(rows.at(1).spoiled, rows.at(1).nonfinite);
 }
 
 TEST_F(Infinite, ProbeNoticesEvenWhereTheTargetsFormatHidesIt) {

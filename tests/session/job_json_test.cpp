@@ -60,7 +60,7 @@ TEST(JobResultJson, ReadsBackRowsAndKeepsNumbersExactly) {
   result.device = "device";
   result.driver = "driver";
   result.cpu_device = true;
-  ErrorRow row{3, 10, 4, 6, 5, 7, 1, {{"rms", 0.1}, {"mean", 1.0 / 3}}};
+  ErrorRow row{3, 10, 4, 6, 5, 7, 1, 1, {{"rms", 0.1}, {"mean", 1.0 / 3}}};
   result.errors = {{row}, {}};
   result.times = {{{"run", 1, 5, 0.1, 2.5, 1e-7}}};
   ProbeResult probe;
@@ -94,7 +94,7 @@ TEST(JobResultJson, ReadsBackRowsAndKeepsNumbersExactly) {
 
 TEST(JobResultJson, KeepsAnErrorThatIsNotANumber) {
   JobResult result;
-  result.errors = {{ErrorRow{0, 0, 0, 0, 0, 0, 0, {{"rms", std::numeric_limits<double>::quiet_NaN()}}}}};
+  result.errors = {{ErrorRow{0, 0, 0, 0, 0, 0, 0, 0, {{"rms", std::numeric_limits<double>::quiet_NaN()}}}}};
   const JobResult read = resultFrom(nlohmann::json::parse(resultJson(result).dump()));
   EXPECT_TRUE(std::isnan(read.errors.at(0).at(0).errors.at("rms")));
 }
