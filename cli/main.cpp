@@ -8,7 +8,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "cli/check/run_modules.h"
 #include "cli/commands/analyze.h"
+#include "cli/commands/check.h"
 #include "cli/commands/devices.h"
 #include "cli/commands/play.h"
 #include "cli/pipeline.h"
@@ -55,6 +57,7 @@ struct Words {
   OptimizeArguments optimize;
   std::string budget;
   AnalyzeArguments analyze;
+  CheckArguments check;
   std::vector<std::string> defines, includes;
   bool write_dependencies = false;
   PlayArguments play;
@@ -140,6 +143,20 @@ int runPlay(Words& words) {
   return result.ok() ? 0 : report(result.error(), words.errorsAsJson());
 }
 
+int runCheck(Words& words) {
+  CheckArguments& arguments = words.check;
+  arguments.request.device = words.device;
+  arguments.request.include_dirs = words.includes;
+  arguments.request.defines = words.defines;
+  arguments.json = words.json;
+  arguments.quiet = words.quiet;
+  arguments.worker_path = executablePath();
+  arguments.interrupted = [] { return interrupt_seen.load(); };
+  const Result<bool> result = checkShaders(arguments, std::cout);
+  if (!result.ok()) return report(result.error(), words.errorsAsJson());
+  return *result ? 0 : kInputStatus;
+}
+
 void addOptimize(CLI::App& app, Words& words) {
   CLI::App* command = app.add_subcommand("optimize", "find, measure and package the fastest variant under an error threshold");
   command->add_option("scenario", words.optimize.scenario, "TOML file (docs/scenario.md)")->required();
@@ -160,6 +177,20 @@ void addAnalyze(CLI::App& app, Words& words) {
   command->add_option("--entry-point", words.analyze.compile.entry_point, "of SPIR-V with several")->capture_default_str();
   command->add_flag("--MD", words.write_dependencies, "write the included files as a make rule");
   command->add_option("--MF", words.analyze.depfile, "file for --MD");
+}
+
+void addCheck(CLI::App& app, Words& words) {
+  CLI::App* command = app.add_subcommand("check", "test the rewrites of shaders against their originals, on this device and made-up inputs");
+  command->add_option("shaders", words.check.shaders, "GLSL, SPIR-V, SPIR-V assembly (.spvasm), or directories of them")->required();
+  command->add_flag("--json", words.json, "JSON instead of text");
+  command->add_option("--jobs,-j", words.check.jobs, "modules at once; 0: as many as there are cores")->check(CLI::NonNegativeNumber)->capture_default_str();
+  command->add_option("--seed", words.check.request.seed, "of the made-up inputs")->capture_default_str();
+  command->add_option("--candidates", words.check.request.candidates, "how many of the best ones")->check(CLI::PositiveNumber)->capture_default_str();
+  command->add_option("--strategy", words.check.request.strategy, "only this one");
+  command->add_option("--timeout", words.check.module_timeout_s, "seconds for a module")->check(CLI::PositiveNumber)->capture_default_str();
+  command->add_option("-I", words.includes, "directory for #include")->allow_extra_args(false);
+  command->add_option("-D", words.defines, "NAME or NAME=VALUE")->allow_extra_args(false);
+  command->add_option("--entry-point", words.check.request.entry_point, "of SPIR-V with several")->capture_default_str();
 }
 
 void addPlay(CLI::App& app, Words& words) {
@@ -196,6 +227,7 @@ int run(int argc, char** argv) {
   app.add_option("--device", words.device, "index or part of the name (reprise devices)");
   addOptimize(app, words);
   addAnalyze(app, words);
+  addCheck(app, words);
   addPlay(app, words);
   CLI::App* validate = app.add_subcommand("validate", "measure the choice of an output directory again, on this device");
   validate->add_option("directory", words.directory)->required();
@@ -204,6 +236,7 @@ int run(int argc, char** argv) {
   CLI::App* devices = app.add_subcommand("devices", "list the Vulkan devices");
   devices->add_flag("--json", words.json, "JSON instead of text");
   app.add_subcommand("worker", "")->group("");
+  app.add_subcommand("check-worker", "")->group("");
   try {
     app.parse(spelledForParser(argc, argv));
   } catch (const CLI::ParseError& error) {
@@ -214,6 +247,8 @@ int run(int argc, char** argv) {
   std::string command = "reprise";
   for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
   if (app.got_subcommand("worker")) return runWorker();
+  if (app.got_subcommand("check-worker")) return runCheckWorker();
+  if (app.got_subcommand("check")) return runCheck(words);
   if (app.got_subcommand("optimize")) return runOptimize(words, command);
   if (app.got_subcommand("analyze")) return runAnalyze(words);
   if (app.got_subcommand("play")) return runPlay(words);

@@ -22,8 +22,8 @@ std::optional<ScalarKind> scalarOf(spirv_cross::SPIRType::BaseType type) {
 
 class Flattener {
  public:
-  Flattener(const spirv_cross::Compiler& compiler, const std::string& block)
-      : compiler_(compiler), block_(block) {}
+  Flattener(const spirv_cross::Compiler& compiler, const std::string& block, const ReflectOptions& options)
+      : compiler_(compiler), block_(block), options_(options) {}
 
   Result<void> addStruct(std::uint32_t type_id, const std::string& prefix, std::uint32_t base_offset) {
     const spirv_cross::SPIRType& type = compiler_.get_type(type_id);
@@ -93,8 +93,9 @@ class Flattener {
     return {};
   }
 
-  Error refuse(const BlockMember& member, const std::string& what) const {
-    return {ErrorKind::kInput,
+  Result<void> refuse(const BlockMember& member, const std::string& what) const {
+    if (options_.skip_unknown_members) return {};
+    return Error{ErrorKind::kInput,
             "source.unsupported",
             "the member \"" + block_ + "." + member.name + "\" " + what + ", which blocks may not hold here",
             {}};
@@ -102,14 +103,15 @@ class Flattener {
 
   const spirv_cross::Compiler& compiler_;
   const std::string& block_;
+  ReflectOptions options_;
   std::vector<BlockMember> members_;
 };
 
 }  // namespace
 
 Result<std::vector<BlockMember>> flattenBlock(const spirv_cross::Compiler& compiler, std::uint32_t type_id,
-                                              const std::string& block) {
-  Flattener flattener(compiler, block);
+                                              const std::string& block, const ReflectOptions& options) {
+  Flattener flattener(compiler, block, options);
   REPRISE_TRY(flattener.addStruct(type_id, "", 0));
   return flattener.take();
 }

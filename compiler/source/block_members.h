@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/source/reflect.h"
 #include "runtime/base/result.h"
 #include "runtime/package/interface.h"
 
@@ -21,6 +22,6 @@ inline constexpr std::size_t kMaxBlockMembers = 4096;
 // and "grid[1]" with array_length for the outer dimensions of arrays of arrays. `block` names the block in
 // messages. Error: source.unsupported for runtime-sized arrays and for members of 8, 16 or 64 bits.
 Result<std::vector<BlockMember>> flattenBlock(const spirv_cross::Compiler& compiler, std::uint32_t type_id,
-                                              const std::string& block);
+                                              const std::string& block, const ReflectOptions& options);
 
 }  // namespace reprise

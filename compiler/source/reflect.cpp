@@ -58,6 +58,10 @@ std::string kindText(DescriptorKind kind) {
       return "sampler";
     case DescriptorKind::kStorageImage:
       return "storage image";
+    case DescriptorKind::kUniformTexelBuffer:
+      return "uniform texel buffer";
+    case DescriptorKind::kStorageTexelBuffer:
+      return "storage texel buffer";
   }
   return "descriptor";
 }
@@ -168,9 +172,9 @@ Result<void> mergePushConstants(const StageInterface& vertex, const StageInterfa
 }  // namespace
 
 Result<ShaderInterface> reflectInterface(std::span<const std::uint32_t> vertex_words,
-                                         std::span<const std::uint32_t> fragment_words) {
-  REPRISE_ASSIGN(StageInterface vertex, reflectStage(vertex_words, ShaderStage::kVertex));
-  REPRISE_ASSIGN(StageInterface fragment, reflectStage(fragment_words, ShaderStage::kFragment));
+                                         std::span<const std::uint32_t> fragment_words, const ReflectOptions& options) {
+  REPRISE_ASSIGN(StageInterface vertex, reflectStage(vertex_words, ShaderStage::kVertex, options));
+  REPRISE_ASSIGN(StageInterface fragment, reflectStage(fragment_words, ShaderStage::kFragment, options));
   REPRISE_TRY(matchSlots(vertex, fragment));
   ShaderInterface out;
   out.vertex_inputs = std::move(vertex.vertex_inputs);

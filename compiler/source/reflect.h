@@ -17,14 +17,19 @@
 
 namespace reprise {
 
+struct ReflectOptions {
+  // Members that interface.h cannot describe (64 bits, unsized arrays) are left out instead of being an error.
+  bool skip_unknown_members = false;
+};
+
 // Both modules must have passed the validator and have one entry point of their stage. Errors (kInput):
 //   source.interface    a fragment input without a vertex output of the same location, component and type, or
 //                       a binding or push constant that the stages declare differently; says both
 //   source.unsupported  what interface.h cannot describe: unsized or multi-dimensional descriptor arrays, input
-//                       attachments, texel buffers, 16- and 64-bit members, matrix or 64-bit vertex inputs
+//                       attachments, 16- and 64-bit members, matrix or 64-bit vertex inputs
 //   source.stage        a module without an entry point of its stage
 //   source.invalid      the module cannot be read
 Result<ShaderInterface> reflectInterface(std::span<const std::uint32_t> vertex_words,
-                                         std::span<const std::uint32_t> fragment_words);
+                                         std::span<const std::uint32_t> fragment_words, const ReflectOptions& options = {});
 
 }  // namespace reprise

@@ -213,10 +213,9 @@ Result<Descriptor> commonDescriptor(const Compiler& compiler, const Resource& re
 }
 
 std::optional<ImageDimension> dimensionOf(const SPIRType::ImageType& image) {
-  if (image.ms) return std::nullopt;
   switch (image.dim) {
     case spv::Dim1D:
-      return image.arrayed ? std::nullopt : std::optional(ImageDimension::k1D);
+      return image.arrayed ? ImageDimension::k1DArray : ImageDimension::k1D;
     case spv::Dim2D:
       return image.arrayed ? ImageDimension::k2DArray : ImageDimension::k2D;
     case spv::Dim3D:
@@ -228,17 +227,33 @@ std::optional<ImageDimension> dimensionOf(const SPIRType::ImageType& image) {
   }
 }
 
+// GLSL's names of the formats that images are usually stored in.
+std::string formatName(spv::ImageFormat format) {
+  switch (format) {
+    case spv::ImageFormatRgba32f: return "rgba32f";
+    case spv::ImageFormatRgba16f: return "rgba16f";
+    case spv::ImageFormatR32f: return "r32f";
+    case spv::ImageFormatRgba8: return "rgba8";
+    case spv::ImageFormatRgba32i: return "rgba32i";
+    case spv::ImageFormatR32i: return "r32i";
+    case spv::ImageFormatRgba32ui: return "rgba32ui";
+    case spv::ImageFormatR32ui: return "r32ui";
+    case spv::ImageFormatUnknown: return "";
+    default: return "other";
+  }
+}
+
 class DescriptorList {
  public:
-  DescriptorList(const Compiler& compiler, std::uint32_t stage_bit)
-      : compiler_(compiler), stage_bit_(stage_bit) {}
+  DescriptorList(const Compiler& compiler, std::uint32_t stage_bit, const ReflectOptions& options)
+      : compiler_(compiler), stage_bit_(stage_bit), options_(options) {}
 
   Result<void> addBlocks(const spirv_cross::SmallVector<Resource>& resources, DescriptorKind kind) {
     for (const Resource& resource : resources) {
       REPRISE_ASSIGN(Descriptor descriptor, commonDescriptor(compiler_, resource, stage_bit_));
       descriptor.kind = kind;
       descriptor.name = blockName(compiler_, resource);
-      REPRISE_ASSIGN(descriptor.members, flattenBlock(compiler_, resource.base_type_id, descriptor.name));
+      REPRISE_ASSIGN(descriptor.members, flattenBlock(compiler_, resource.base_type_id, descriptor.name, options_));
       const SPIRType& type = compiler_.get_type(resource.base_type_id);
       const auto size = static_cast<std::uint32_t>(compiler_.get_declared_struct_size(type));
       descriptor.size_bytes = (size + 15) / 16 * 16;
@@ -252,14 +267,19 @@ class DescriptorList {
       REPRISE_ASSIGN(Descriptor descriptor, commonDescriptor(compiler_, resource, stage_bit_));
       descriptor.kind = kind;
       if (kind != DescriptorKind::kSampler) {
-        const std::optional<ImageDimension> dimension =
-            dimensionOf(compiler_.get_type(resource.base_type_id).image);
-        if (!dimension) {
-          return unsupported(
-              "\"" + descriptor.name +
-              "\" is a texel buffer, a multisampled image or of a dimension that is not supported");
+        const SPIRType::ImageType& image = compiler_.get_type(resource.base_type_id).image;
+        descriptor.texel = scalarOf(compiler_.get_type(image.type)).value_or(ScalarKind::kFloat);
+        descriptor.compares = image.depth;
+        descriptor.multisampled = image.ms;
+        if (kind == DescriptorKind::kStorageImage) descriptor.storage_format = formatName(image.format);
+        if (image.dim == spv::DimBuffer) {
+          const bool stores = kind == DescriptorKind::kStorageImage;
+          descriptor.kind = stores ? DescriptorKind::kStorageTexelBuffer : DescriptorKind::kUniformTexelBuffer;
+        } else if (const std::optional<ImageDimension> dimension = dimensionOf(image)) {
+          descriptor.dimension = *dimension;
+        } else {
+          return unsupported("\"" + descriptor.name + "\" is an image of a dimension that is not supported");
         }
-        descriptor.dimension = *dimension;
       }
       list_.push_back(std::move(descriptor));
     }
@@ -271,20 +291,24 @@ class DescriptorList {
  private:
   const Compiler& compiler_;
   std::uint32_t stage_bit_;
+  ReflectOptions options_;
   std::vector<Descriptor> list_;
 };
 
 Result<std::vector<Descriptor>> descriptorsOf(const Compiler& compiler,
                                               const spirv_cross::ShaderResources& resources,
-                                              std::uint32_t stage_bit) {
-  for (const auto* refused : {&resources.subpass_inputs, &resources.atomic_counters,
-                              &resources.acceleration_structures, &resources.shader_record_buffers}) {
+                                              std::uint32_t stage_bit, const ReflectOptions& options) {
+  if (!resources.subpass_inputs.empty())
+    return Error{ErrorKind::kRefused, "shader.subpass_input",
+                 "the shader reads the subpass input \"" + nameOfVariable(compiler, resources.subpass_inputs.front()) +
+                     "\", which passes of a recipe do not have", {}};
+  for (const auto* refused : {&resources.atomic_counters, &resources.acceleration_structures, &resources.shader_record_buffers}) {
     if (!refused->empty()) {
-      return unsupported("\"" + nameOfVariable(compiler, refused->front()) +
-                         "\" is a subpass input, an atomic counter or a ray-tracing resource");
+      return Error{ErrorKind::kRefused, "shader.ray_tracing",
+                   "\"" + nameOfVariable(compiler, refused->front()) + "\" is an atomic counter or a ray-tracing resource", {}};
     }
   }
-  DescriptorList list(compiler, stage_bit);
+  DescriptorList list(compiler, stage_bit, options);
   REPRISE_TRY(list.addBlocks(resources.uniform_buffers, DescriptorKind::kUniformBlock));
   REPRISE_TRY(list.addBlocks(resources.storage_buffers, DescriptorKind::kStorageBlock));
   REPRISE_TRY(list.addImages(resources.sampled_images, DescriptorKind::kCombinedImageSampler));
@@ -295,15 +319,14 @@ Result<std::vector<Descriptor>> descriptorsOf(const Compiler& compiler,
 }
 
 Result<void> addPushConstants(const Compiler& compiler, const spirv_cross::SmallVector<Resource>& blocks,
-                              std::uint32_t stage_bit, StageInterface& out) {
+                              const ReflectOptions& options, StageInterface& out) {
   if (blocks.empty()) return {};
   const Resource& block = blocks.front();
   out.push_constant_name = blockName(compiler, block);
   REPRISE_ASSIGN(out.push_constant_members,
-                 flattenBlock(compiler, block.base_type_id, out.push_constant_name));
+                 flattenBlock(compiler, block.base_type_id, out.push_constant_name, options));
   if (out.push_constant_members.empty()) return {};
   PushConstantRange range;
-  range.stages = stage_bit;
   range.offset = out.push_constant_members.front().offset;
   for (const BlockMember& member : out.push_constant_members)
     range.offset = std::min(range.offset, member.offset);
@@ -338,7 +361,7 @@ Result<void> chooseEntryPoint(Compiler& compiler, spv::ExecutionModel model, con
   return {};
 }
 
-Result<StageInterface> reflectWith(Compiler& compiler, ShaderStage stage) {
+Result<StageInterface> reflectWith(Compiler& compiler, ShaderStage stage, const ReflectOptions& options) {
   const bool vertex = stage == ShaderStage::kVertex;
   REPRISE_TRY(chooseEntryPoint(compiler, vertex ? spv::ExecutionModelVertex : spv::ExecutionModelFragment,
                                nameOf(stage)));
@@ -355,17 +378,18 @@ Result<StageInterface> reflectWith(Compiler& compiler, ShaderStage stage) {
     REPRISE_ASSIGN(out.colors, colorOutputs(compiler, active.stage_outputs));
     out.writes_depth = compiler.get_execution_mode_bitset().get(spv::ExecutionModeDepthReplacing);
   }
-  REPRISE_ASSIGN(out.descriptors, descriptorsOf(compiler, active, stage_bit));
-  REPRISE_TRY(addPushConstants(compiler, active.push_constant_buffers, stage_bit, out));
+  REPRISE_ASSIGN(out.descriptors, descriptorsOf(compiler, active, stage_bit, options));
+  REPRISE_TRY(addPushConstants(compiler, active.push_constant_buffers, options, out));
+  for (PushConstantRange& range : out.push_constants) range.stages = stage_bit;
   return out;
 }
 
 }  // namespace
 
-Result<StageInterface> reflectStage(std::span<const std::uint32_t> words, ShaderStage stage) {
+Result<StageInterface> reflectStage(std::span<const std::uint32_t> words, ShaderStage stage, const ReflectOptions& options) {
   try {
     Compiler compiler(words.data(), words.size());
-    REPRISE_ASSIGN(StageInterface out, reflectWith(compiler, stage));
+    REPRISE_ASSIGN(StageInterface out, reflectWith(compiler, stage, options));
     out.discards = stage == ShaderStage::kFragment && hasDiscard(words);
     return out;
   } catch (const std::exception& thrown) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compiler/source/compile.h"
+#include "compiler/source/reflect.h"
 #include "runtime/package/interface.h"
 
 namespace reprise {
@@ -34,6 +35,6 @@ struct StageInterface {
 };
 
 // Errors: source.unsupported, source.invalid.
-Result<StageInterface> reflectStage(std::span<const std::uint32_t> words, ShaderStage stage);
+Result<StageInterface> reflectStage(std::span<const std::uint32_t> words, ShaderStage stage, const ReflectOptions& options = {});
 
 }  // namespace reprise

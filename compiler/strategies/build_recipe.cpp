@@ -116,6 +116,7 @@ class RecipeBuilder {
             {"ORTHOGRAPHIC", flag(options_.orthographic)},
             {"BILINEAR", flag(options_.filter == Filter::kBilinear)},
             {"INSTRUMENTED", flag(options_.instrumented)},
+            {"POISONED", flag(options_.poisoned)},
             {"BLOCK_SHIFT", number(std::countr_zero(options_.block_pixels))},
             {"PATTERN_TILED", "0"},
             {"PATTERN_RANDOM", "1"},

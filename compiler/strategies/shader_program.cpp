@@ -7,11 +7,11 @@
 
 namespace reprise {
 
-Result<ShaderProgram> readProgram(const CompiledShader& vertex, const CompiledShader& fragment) {
+Result<ShaderProgram> readProgram(const CompiledShader& vertex, const CompiledShader& fragment, const ReflectOptions& options) {
   ShaderProgram program;
   program.vertex_words = vertex.words;
   program.fragment_words = fragment.words;
-  REPRISE_ASSIGN(program.interface, reflectInterface(vertex.words, fragment.words));
+  REPRISE_ASSIGN(program.interface, reflectInterface(vertex.words, fragment.words, options));
   REPRISE_ASSIGN(const Module vertex_module, readModule(vertex.words));
   REPRISE_ASSIGN(program.vertex, inlineCalls(vertex_module));
   REPRISE_ASSIGN(const Module fragment_module, readModule(fragment.words));

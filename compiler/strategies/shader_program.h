@@ -9,6 +9,7 @@
 #include "compiler/analysis/analyse.h"
 #include "compiler/ir/prepare.h"
 #include "compiler/source/compile.h"
+#include "compiler/source/reflect.h"
 #include "runtime/package/interface.h"
 
 namespace reprise {
@@ -24,6 +25,6 @@ struct ShaderProgram {
 };
 
 // Errors: those of readModule, prepareForCaching and reflectInterface.
-Result<ShaderProgram> readProgram(const CompiledShader& vertex, const CompiledShader& fragment);
+Result<ShaderProgram> readProgram(const CompiledShader& vertex, const CompiledShader& fragment, const ReflectOptions& options = {});
 
 }  // namespace reprise

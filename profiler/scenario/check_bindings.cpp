@@ -134,6 +134,8 @@ const char* unsupportedReason(const Descriptor& descriptor) {
     case DescriptorKind::kStorageBlock:
       return "is a storage buffer";
     case DescriptorKind::kStorageImage:
+    case DescriptorKind::kUniformTexelBuffer:
+    case DescriptorKind::kStorageTexelBuffer:
       return "is a storage image";
     case DescriptorKind::kSampledImage:
     case DescriptorKind::kSampler:

@@ -6,6 +6,7 @@
 
 #include "profiler/scene/mesh.h"
 #include "profiler/scene/texture.h"
+#include "runtime/playback/formats.h"
 #include "runtime/vulkan/upload.h"
 
 namespace reprise {
@@ -18,18 +19,6 @@ Result<Buffer> bufferWith(const DeviceView& device, const void* bytes, std::size
   REPRISE_ASSIGN(Buffer buffer, createBuffer(device, std::max<std::size_t>(size, 4), usage));
   std::memcpy(buffer.mapped.data(), bytes, size);
   return buffer;
-}
-
-VkDescriptorType descriptorType(DescriptorKind kind) {
-  switch (kind) {
-    case DescriptorKind::kUniformBlock: return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    case DescriptorKind::kCombinedImageSampler: return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-    case DescriptorKind::kSampledImage: return VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE;
-    case DescriptorKind::kSampler: return VK_DESCRIPTOR_TYPE_SAMPLER;
-    case DescriptorKind::kStorageBlock: return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    case DescriptorKind::kStorageImage: return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
-  }
-  return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
 }
 
 class SceneBuilder {

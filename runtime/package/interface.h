@@ -25,8 +25,10 @@ struct BlockMember {
   bool operator==(const BlockMember&) const = default;
 };
 
-enum class DescriptorKind { kUniformBlock, kStorageBlock, kCombinedImageSampler, kSampledImage, kSampler, kStorageImage };
-enum class ImageDimension { kNone, k1D, k2D, k3D, kCube, k2DArray, kCubeArray };
+enum class DescriptorKind {
+  kUniformBlock, kStorageBlock, kCombinedImageSampler, kSampledImage, kSampler, kStorageImage, kUniformTexelBuffer, kStorageTexelBuffer
+};
+enum class ImageDimension { kNone, k1D, k2D, k3D, kCube, k1DArray, k2DArray, kCubeArray };
 
 // Stage bits, with the values of VkShaderStageFlagBits.
 inline constexpr std::uint32_t kStageVertex = 0x1;
@@ -42,6 +44,10 @@ struct Descriptor {
   std::uint32_t stages = 0;
   std::uint32_t size_bytes = 0;      // of a block
   std::vector<BlockMember> members;  // of a block
+  ScalarKind texel = ScalarKind::kFloat;  // of an image
+  bool compares = false;             // depth comparison
+  bool multisampled = false;
+  std::string storage_format;        // of a storage image, as in GLSL: "rgba32f"; "" where the shader names none
   bool operator==(const Descriptor&) const = default;
 };
 

@@ -15,11 +15,13 @@ const EnumNames<DescriptorKind> kDescriptors = {{DescriptorKind::kUniformBlock, 
                                                 {DescriptorKind::kCombinedImageSampler, "combined_image_sampler"},
                                                 {DescriptorKind::kSampledImage, "sampled_image"},
                                                 {DescriptorKind::kSampler, "sampler"},
-                                                {DescriptorKind::kStorageImage, "storage_image"}};
+                                                {DescriptorKind::kStorageImage, "storage_image"},
+                                                {DescriptorKind::kUniformTexelBuffer, "uniform_texel_buffer"},
+                                                {DescriptorKind::kStorageTexelBuffer, "storage_texel_buffer"}};
 const EnumNames<ImageDimension> kDimensions = {
     {ImageDimension::kNone, "none"}, {ImageDimension::k1D, "1d"},          {ImageDimension::k2D, "2d"},
-    {ImageDimension::k3D, "3d"},     {ImageDimension::kCube, "cube"},      {ImageDimension::k2DArray, "2d_array"},
-    {ImageDimension::kCubeArray, "cube_array"}};
+    {ImageDimension::k3D, "3d"},     {ImageDimension::kCube, "cube"},      {ImageDimension::k1DArray, "1d_array"},
+    {ImageDimension::k2DArray, "2d_array"}, {ImageDimension::kCubeArray, "cube_array"}};
 
 json toJson(const BlockMember& member) {
   return {{"name", member.name}, {"scalar", enumText(kScalars, member.scalar)}, {"rows", member.rows},
@@ -40,14 +42,17 @@ json membersJson(const std::vector<BlockMember>& members) {
 json toJson(const Descriptor& descriptor) {
   return {{"name", descriptor.name}, {"set", descriptor.set}, {"binding", descriptor.binding}, {"count", descriptor.count},
           {"kind", enumText(kDescriptors, descriptor.kind)}, {"dimension", enumText(kDimensions, descriptor.dimension)},
-          {"stages", descriptor.stages}, {"size_bytes", descriptor.size_bytes}, {"members", membersJson(descriptor.members)}};
+          {"stages", descriptor.stages}, {"size_bytes", descriptor.size_bytes}, {"members", membersJson(descriptor.members)},
+          {"texel", enumText(kScalars, descriptor.texel)}, {"compares", descriptor.compares}, {"multisampled", descriptor.multisampled},
+          {"storage_format", descriptor.storage_format}};
 }
 
 Descriptor descriptorFrom(const json& from) {
   return {textAt(from, "name"), integerAt<std::uint32_t>(from, "set"), integerAt<std::uint32_t>(from, "binding"),
           integerAt<std::uint32_t>(from, "count"), enumAt(from, "kind", kDescriptors), enumAt(from, "dimension", kDimensions),
           integerAt<std::uint32_t>(from, "stages"), integerAt<std::uint32_t>(from, "size_bytes"),
-          listAt<BlockMember>(from, "members", memberFrom)};
+          listAt<BlockMember>(from, "members", memberFrom), enumAt(from, "texel", kScalars), boolAt(from, "compares"),
+          boolAt(from, "multisampled"), textAt(from, "storage_format")};
 }
 
 json toJson(const PushConstantRange& range) {

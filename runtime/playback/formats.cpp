@@ -17,6 +17,20 @@ VkFormat vulkanFormat(ResourceFormat format) {
   return VK_FORMAT_UNDEFINED;
 }
 
+VkDescriptorType descriptorType(DescriptorKind kind) {
+  switch (kind) {
+    case DescriptorKind::kUniformBlock: return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    case DescriptorKind::kStorageBlock: return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    case DescriptorKind::kCombinedImageSampler: return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    case DescriptorKind::kSampledImage: return VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE;
+    case DescriptorKind::kSampler: return VK_DESCRIPTOR_TYPE_SAMPLER;
+    case DescriptorKind::kStorageImage: return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+    case DescriptorKind::kUniformTexelBuffer: return VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
+    case DescriptorKind::kStorageTexelBuffer: return VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER;
+  }
+  return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+}
+
 bool hasStencil(VkFormat format) {
   return format == VK_FORMAT_D32_SFLOAT_S8_UINT || format == VK_FORMAT_D24_UNORM_S8_UINT || format == VK_FORMAT_D16_UNORM_S8_UINT;
 }

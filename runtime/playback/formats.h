@@ -1,4 +1,4 @@
-// Recipe formats as Vulkan's, and what can be asked of a depth format.
+// Formats and kinds of the package as Vulkan's, and what can be asked of a depth format.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -8,6 +8,7 @@
 namespace reprise {
 
 VkFormat vulkanFormat(ResourceFormat format);
+VkDescriptorType descriptorType(DescriptorKind kind);
 bool hasStencil(VkFormat format);
 
 }  // namespace reprise

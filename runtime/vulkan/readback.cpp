@@ -24,6 +24,8 @@ FormatShape shapeOf(VkFormat format) {
     case VK_FORMAT_R16G16B16A16_SFLOAT: return {4, 2};
     case VK_FORMAT_R32_SFLOAT:
     case VK_FORMAT_D32_SFLOAT: return {1, 4};
+    case VK_FORMAT_R32G32B32A32_SINT:
+    case VK_FORMAT_R32G32B32A32_UINT:
     case VK_FORMAT_R32G32B32A32_SFLOAT: return {4, 4};
     default: return {};
   }

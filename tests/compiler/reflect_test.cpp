@@ -116,7 +116,7 @@ TEST(Reflect, TellsTheKindsOfImages) {
       {"sheets", 0, 2, 1, DescriptorKind::kSampledImage, ImageDimension::k2DArray, kStageFragment, 0, {}},
       {"smooth_sampler", 0, 4, 1, DescriptorKind::kSampler, ImageDimension::kNone, kStageFragment, 0, {}},
       {"layers", 0, 5, 3, DescriptorKind::kCombinedImageSampler, ImageDimension::k2D, kStageFragment, 0, {}},
-      {"store", 0, 6, 1, DescriptorKind::kStorageImage, ImageDimension::k2D, kStageFragment, 0, {}},
+      {"store", 0, 6, 1, DescriptorKind::kStorageImage, ImageDimension::k2D, kStageFragment, 0, {}, ScalarKind::kFloat, false, false, "r32f"},
   };
   EXPECT_EQ(found->descriptors, expected);
 }
@@ -223,16 +223,43 @@ TEST(Reflect, SeesDepthDiscardAndSeveralOutputs) {
   EXPECT_FALSE(plain->writes_depth || plain->discards);
 }
 
+TEST(Reflect, TellsTexelBuffersMultisampledAndComparingImages) {
+  const auto found = reflect(kPlainVertex, fragmentWith("layout(binding = 0) uniform isamplerBuffer texels;\n"
+                                                        "layout(binding = 1) uniform sampler2DMS samples;\n"
+                                                        "layout(binding = 2) uniform sampler2DShadow shadow;\n",
+                                                        "texelFetch(texels, 0) + texelFetch(samples, ivec2(0), 0) + texture(shadow, vec3(0))"));
+  ASSERT_TRUE(found.ok()) << formatError(found.error());
+  ASSERT_EQ(found->descriptors.size(), 3u);
+  EXPECT_EQ(found->descriptors[0].kind, DescriptorKind::kUniformTexelBuffer);
+  EXPECT_EQ(found->descriptors[0].texel, ScalarKind::kInt);
+  EXPECT_TRUE(found->descriptors[1].multisampled);
+  EXPECT_TRUE(found->descriptors[2].compares);
+}
+
+TEST(Reflect, RefusesSubpassInputs) {
+  EXPECT_EQ(errorOf(reflect(kPlainVertex, fragmentWith("layout(input_attachment_index = 0, binding = 0) uniform subpassInput last;\n",
+                                                       "subpassLoad(last)")))
+                .code,
+            "shader.subpass_input");
+}
+
+TEST(Reflect, UnknownMembersCanBeSkipped) {
+  const std::string fragment = fragmentWith("layout(binding = 0) buffer List { vec4 first; double wide; float items[]; } list;\n",
+                                            "list.first + float(list.wide) + list.items[3]");
+  const CompiledShader vertex_shader = compileText(kPlainVertex, "test.vert", {}).value(), fragment_shader = compileText(fragment, "test.frag", {}).value();
+  const auto found = reflectInterface(vertex_shader.words, fragment_shader.words, {true});
+  ASSERT_TRUE(found.ok()) << formatError(found.error());
+  ASSERT_EQ(found->descriptors.size(), 1u);
+  ASSERT_EQ(found->descriptors[0].members.size(), 1u);
+  EXPECT_EQ(found->descriptors[0].members[0].name, "first");
+}
+
 TEST(Reflect, RefusesWhatAnInterfaceCannotDescribe) {
   const std::string nonuniform = "#extension GL_EXT_nonuniform_qualifier : require\n";
   const std::string types = "#extension GL_EXT_shader_explicit_arithmetic_types : require\n";
   const std::vector<std::string> fragments = {
       fragmentWith(nonuniform + "layout(binding = 0) uniform sampler2D many[];\n",
                    "texture(many[int(gl_FragCoord.x)], vec2(0))"),
-      fragmentWith("layout(binding = 0) uniform samplerBuffer texels;\n", "texelFetch(texels, 0)"),
-      fragmentWith("layout(binding = 0) uniform sampler2DMS samples;\n", "texelFetch(samples, ivec2(0), 0)"),
-      fragmentWith("layout(input_attachment_index = 0, binding = 0) uniform subpassInput last;\n",
-                   "subpassLoad(last)"),
       fragmentWith("layout(binding = 0) buffer List { float items[]; } list;\n", "list.items[3]"),
       fragmentWith("layout(binding = 0) uniform Wide { double value; } wide;\n", "float(wide.value)"),
       fragmentWith(types + "layout(binding = 0) buffer Narrow { float16_t value; } narrow;\n",

@@ -6,9 +6,11 @@
 
 namespace reprise {
 
-std::unique_ptr<LawScene> LawScene::open(const std::string& scenario_file, bool validation) {
+std::unique_ptr<LawScene> LawScene::open(const std::string& scenario_file, bool validation, std::uint32_t magnified) {
   auto scene = std::make_unique<LawScene>();
   scene->subject_ = readSubject(scenario_file).value();
+  scene->subject_.scenario.width *= magnified;
+  scene->subject_.scenario.height *= magnified;
   ContextOptions options;
   options.validation = validation;
   scene->context_ = std::make_unique<Context>(Context::create(options).value());

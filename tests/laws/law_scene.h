@@ -25,8 +25,9 @@ struct PlayedFrame {
 
 class LawScene {
  public:
-  // `validation`: the Khronos layer with synchronization validation.
-  static std::unique_ptr<LawScene> open(const std::string& scenario_file, bool validation = false);
+  // `validation`: the Khronos layer with synchronization validation. `magnified`: times the resolution.
+  static std::unique_ptr<LawScene> open(const std::string& scenario_file, bool validation = false,
+                                        std::uint32_t magnified = 1);
 
   const Subject& subject() const { return subject_; }
   const Context& context() const { return *context_; }

@@ -32,6 +32,7 @@ const std::vector<FolderRule> kFolderRules = {
     {"profiler/measurements", {}},
     {"profiler/session",
      {"runtime", "profiler/scenario", "profiler/scene", "profiler/metrics", "profiler/measurements"}},
+    {"profiler/harness", {"runtime", "profiler/scenario", "profiler/scene"}},
     {"profiler/training",
      {"runtime", "profiler/scenario", "profiler/scene", "profiler/metrics", "profiler/measurements",
       "profiler/session"}},
@@ -54,7 +55,7 @@ const std::vector<ThirdPartyRule> kThirdPartyRules = {
     {"SQLite", {"sqlite3.h"}, {"profiler/measurements", "tests/measurements"}},
     {"Vulkan",
      {"vulkan/", "volk.h", "volk.c"},
-     {"runtime/vulkan", "runtime/playback", "profiler/session", "cli", "tests", "bench", "examples"},
+     {"runtime/vulkan", "runtime/playback", "profiler/session", "profiler/harness", "cli", "tests", "bench", "examples"},
      true},
     {"toml++", {"toml++/", "toml.hpp"}, {"profiler/scenario", "tests"}},
     // In headers, too: runtime/package/json_values.h holds templates that its .cpp files share.

@@ -109,10 +109,11 @@ BlockMember anyMember() {
 Descriptor anyDescriptor() {
   return {anyText(), anyCount(), anyCount(), anyCount(),
           oneOf({DescriptorKind::kUniformBlock, DescriptorKind::kStorageBlock, DescriptorKind::kCombinedImageSampler,
-                 DescriptorKind::kSampledImage, DescriptorKind::kSampler, DescriptorKind::kStorageImage}),
+                 DescriptorKind::kSampledImage, DescriptorKind::kSampler, DescriptorKind::kStorageImage,
+                 DescriptorKind::kUniformTexelBuffer, DescriptorKind::kStorageTexelBuffer}),
           oneOf({ImageDimension::kNone, ImageDimension::k1D, ImageDimension::k2D, ImageDimension::k3D, ImageDimension::kCube,
-                 ImageDimension::k2DArray, ImageDimension::kCubeArray}),
-          anyCount(), anyCount(), some<BlockMember>(anyMember)};
+                 ImageDimension::k1DArray, ImageDimension::k2DArray, ImageDimension::kCubeArray}),
+          anyCount(), anyCount(), some<BlockMember>(anyMember), anyScalar(), anyBool(), anyBool(), anyText()};
 }
 
 ShaderInterface anyInterface() {

@@ -55,5 +55,15 @@ bool repriseLookup(out vec4 texel) {
   miss = min(miss + abs(dFdyFine(miss)), 1.0);
   hit = miss == 0.0;
 #endif
+#if POISONED
+  // For tests: hits get what no shader computed, and keep their depth.
+  vec4 clean = texel;
+  texel = texel * -3.0 + 7.5;
+#if NARROW
+  texel.g = clean.g;
+#elif DEPTH_IN_ALPHA
+  texel.a = clean.a;
+#endif
+#endif
   return hit;
 }

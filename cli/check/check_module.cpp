@@ -1,0 +1,285 @@
+#include "cli/check/check_module.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <memory>
+
+#include "cli/check/capabilities.h"
+#include "cli/check/frame_laws.h"
+#include "compiler/source/harness_vertex.h"
+#include "compiler/strategies/build_recipe.h"
+#include "compiler/strategies/registry.h"
+
+namespace reprise {
+namespace {
+
+constexpr int kFrames = 6, kFrozenFrames = 4, kFrozenShot = 2, kPeriodOneFrames = 3;
+constexpr std::uint32_t kPeriod = 4;
+constexpr std::uint32_t kBlock = 4;
+constexpr int kSeedsTried = 3;
+constexpr std::size_t kCandidatesTried = 4;
+constexpr const char* kPoisonedStrategy = "branch";  // every state allows it
+
+struct Subject {
+  ShaderProgram program;
+  std::vector<Candidate> candidates;  // kept ones
+};
+
+CompileOptions compileOptionsOf(const CheckRequest& request) {
+  CompileOptions options;
+  options.stage = ShaderStage::kFragment;
+  options.entry_point = request.entry_point;
+  for (const std::string& directory : request.include_dirs) options.include_dirs.emplace_back(directory);
+  for (const std::string& define : request.defines) {
+    const std::size_t equals = define.find('=');
+    options.defines.emplace_back(define.substr(0, equals), equals == std::string::npos ? "" : define.substr(equals + 1));
+  }
+  return options;
+}
+
+// The reason that most values have for being no candidates.
+std::string whyNone(const std::vector<Candidate>& values) {
+  std::map<std::string, int> counts;
+  const Candidate* most = nullptr;
+  int best = 0;
+  for (const Candidate& value : values)
+    if (++counts[value.dropped.code] > best) best = counts[value.dropped.code], most = &value;
+  if (most == nullptr) return "the shader computes nothing";
+  return fmt::format("none of {} values can be kept; most often: {} [{}]", values.size(), most->dropped.message, most->dropped.code);
+}
+
+Result<Subject> readSubjectOf(const CompiledShader& fragment) {
+  ReflectOptions lenient;
+  lenient.skip_unknown_members = true;
+  REPRISE_ASSIGN(const std::string text, harnessVertexText(fragment.words));
+  CompileOptions options;
+  options.stage = ShaderStage::kVertex;
+  REPRISE_ASSIGN(const CompiledShader vertex, compileText(text, "harness.vert", options));
+  Subject subject;
+  REPRISE_ASSIGN(subject.program, readProgram(vertex, fragment, lenient));
+  return subject;
+}
+
+class ModuleCheck {
+ public:
+  ModuleCheck(const CheckRequest& request, const std::function<void()>& original_runs) : request_(request), original_runs_(original_runs) {
+    verdict_.path = request.path;
+  }
+
+  ModuleVerdict run() {
+    const auto start = std::chrono::steady_clock::now();
+    const Result<void> result = check();
+    if (!result.ok()) {
+      const Error& error = result.error();
+      end(error.kind == ErrorKind::kRefused ? Verdict::kRefused : Verdict::kUntestable, error.code, error.message);
+    }
+    verdict_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return verdict_;
+  }
+
+ private:
+  void end(Verdict verdict, const std::string& code, const std::string& reason) {
+    verdict_.verdict = verdict;
+    verdict_.code = code;
+    verdict_.reason = reason;
+  }
+
+  Result<void> check() {
+    REPRISE_ASSIGN(const CompiledShader fragment, compile(request_.path, compileOptionsOf(request_)));
+    ContextOptions options;
+    options.device = request_.device;
+    REPRISE_ASSIGN(Context context, Context::create(options));
+    context_ = std::make_unique<Context>(std::move(context));
+    const std::string lacking = missingCapability(fragment.words, *context_);
+    if (!lacking.empty())
+      return Error{ErrorKind::kRefused, "device.capability", "the module needs the capability " + lacking + ", which the device lacks", {}};
+    REPRISE_ASSIGN(subject_, readSubjectOf(fragment));
+    if (subject_.program.analysis.refusal) return *subject_.program.analysis.refusal;
+    if (subject_.program.interface.outputs.empty())
+      return Error{ErrorKind::kInput, "output.none", "the shader has no colour output to compare", {}};
+    CandidateOptions enumeration;
+    enumeration.least_share = 0;
+    const std::vector<Candidate> values = enumerateCandidates(*subject_.program.fragment, subject_.program.analysis, subject_.program.sources, enumeration);
+    for (const Candidate& value : values)
+      if (value.kept()) subject_.candidates.push_back(value);
+    if (subject_.candidates.empty()) return Error{ErrorKind::kRefused, "candidate.none", whyNone(values), {}};
+    REPRISE_ASSIGN(Commands commands, Commands::create(*context_));
+    commands_ = std::make_unique<Commands>(std::move(commands));
+    return trySeeds();
+  }
+
+  // Until the inputs mean something; a broken law ends it at once.
+  Result<void> trySeeds() {
+    for (int i = 0; i < kSeedsTried; ++i) {
+      seed_ = request_.seed + static_cast<std::uint32_t>(i);
+      REPRISE_ASSIGN(const std::string meaningless, playOriginal());
+      if (!meaningless.empty()) {
+        end(Verdict::kUntestable, "inputs.meaningless", fmt::format("with {} seeds from {}: {}", i + 1, request_.seed, meaningless));
+        continue;
+      }
+      const std::size_t most = std::min(subject_.candidates.size(), std::max<std::size_t>(kCandidatesTried, static_cast<std::size_t>(request_.candidates)));
+      int meaningful = 0;
+      for (std::size_t c = 0; c < most && meaningful < request_.candidates; ++c) {
+        ++verdict_.candidates;
+        REPRISE_ASSIGN(const bool shows, checkCandidate(subject_.candidates[c]));
+        if (verdict_.verdict == Verdict::kFailed) return {};
+        meaningful += shows ? 1 : 0;
+      }
+      if (meaningful > 0) {
+        end(Verdict::kVerified, "", "");
+        return {};
+      }
+    }
+    return {};
+  }
+
+  // "" or why this seed shows nothing.
+  Result<std::string> playOriginal() {
+    HarnessOptions options;
+    options.seed = seed_;
+    REPRISE_ASSIGN(Harness harness, Harness::create(*context_, *commands_, subject_.program.interface, options));
+    harness_ = std::make_unique<Harness>(std::move(harness));
+    originals_.clear();
+    VariantOptions original;
+    original.strategy = "original";
+    REPRISE_ASSIGN(const Package package, buildPackage(subject_.program, subject_.candidates.front(), original, {true, true}));
+    REPRISE_ASSIGN(Player player, harness_->createPlayer(package, true));
+    for (int frame = 0; frame < kFrames; ++frame) {
+      REPRISE_ASSIGN(HarnessFrame played, harness_->play(player, {frame, 1}));
+      originals_.push_back(std::move(played));
+    }
+    original_runs_();
+    return whyMeaningless(originals_[kFrozenShot], subject_.program.interface.outputs);
+  }
+
+  VariantOptions optionsFor(const std::string& strategy) const {
+    VariantOptions options;
+    options.strategy = strategy;
+    options.pattern = PatternKind::kInterleaved;
+    options.block_pixels = kBlock;
+    options.filter = Filter::kNearest;
+    options.encoding = Encoding::kRgba32f;
+    options.period_frames = kPeriod;
+    options.instrumented = true;
+    options.ranges.depth_near = 0.3f;
+    options.ranges.depth_far = 20;
+    return options;
+  }
+
+  // Whether what was seen says something; the verdict is untestable so far where it does not.
+  Result<bool> checkCandidate(const Candidate& candidate) {
+    std::vector<HarnessFrame> moving;
+    int held = 0;
+    for (const Strategy& strategy : strategies()) {
+      if (!strategy.selectable || (!request_.strategy.empty() && strategy.name != request_.strategy)) continue;
+      const Result<std::vector<HarnessFrame>> frames = checkStrategy(candidate, strategy.name);
+      if (verdict_.verdict == Verdict::kFailed) return false;
+      if (!frames.ok()) {
+        if (frames.error().kind != ErrorKind::kRefused) return frames.error();
+        note(strategy.name + ": " + frames.error().code);
+        last_refusal_ = frames.error();
+        continue;
+      }
+      ++held;
+      if (moving.empty()) moving = *frames;
+    }
+    if (held == 0) return last_refusal_;
+    verdict_.variants += held;
+    std::size_t hits = 0, misses = 0;
+    for (int frame = 1; frame < kFrames; ++frame) {
+      hits += countKind(moving[static_cast<std::size_t>(frame)], 1);
+      misses += countKind(moving[static_cast<std::size_t>(frame)], 2);
+    }
+    if (hits == 0 || misses == 0) {
+      end(Verdict::kUntestable, "inputs.one_sided", fmt::format("{}: {} pixels hit and {} missed", candidate.id, hits, misses));
+      return false;
+    }
+    REPRISE_ASSIGN(const bool matters, poisonShows(candidate, moving));
+    if (!matters) end(Verdict::kUntestable, "inputs.no_effect", candidate.id + ": a poisoned cache changes no pixel");
+    return matters;
+  }
+
+  void note(const std::string& text) {
+    if (std::find(verdict_.refused_strategies.begin(), verdict_.refused_strategies.end(), text) == verdict_.refused_strategies.end())
+      verdict_.refused_strategies.push_back(text);
+  }
+
+  Result<Player> variantPlayer(const Candidate& candidate, const VariantOptions& options) {
+    REPRISE_ASSIGN(const Package package, buildPackage(subject_.program, candidate, options, {true, true}));
+    REPRISE_ASSIGN(Player player, harness_->createPlayer(package, false));
+    if (!player.originalReason().empty()) return Error{ErrorKind::kRefused, "device.requirement", player.originalReason(), {}};
+    return player;
+  }
+
+  // The frames under motion, all laws held; a broken one is in the verdict.
+  Result<std::vector<HarnessFrame>> checkStrategy(const Candidate& candidate, const std::string& strategy) {
+    REPRISE_ASSIGN(Player player, variantPlayer(candidate, optionsFor(strategy)));
+    std::vector<HarnessFrame> moving;
+    for (int frame = 0; frame < kPeriodOneFrames; ++frame) {
+      REPRISE_ASSIGN(const HarnessFrame played, harness_->play(player, {frame, 1}));
+      if (broken(candidate, strategy, frame, findViolation(original(frame), played, "law.always_refresh", ExactPixels::kAll))) return moving;
+    }
+    player.invalidate();
+    for (int frame = 0; frame < kFrames; ++frame) {
+      REPRISE_ASSIGN(HarnessFrame played, harness_->play(player, {frame, kPeriod}));
+      if (broken(candidate, strategy, frame, findViolation(original(frame), played, "law.misses_exact", ExactPixels::kMisses))) return moving;
+      moving.push_back(std::move(played));
+    }
+    if (countKind(moving.front(), 1) > 0) {
+      broken(candidate, strategy, 0, Violation{"law.books", 0, "no hit in the first frame", fmt::format("{} hits", countKind(moving.front(), 1))});
+      return moving;
+    }
+    player.invalidate();
+    for (int frame = 0; frame < kFrozenFrames; ++frame) {
+      REPRISE_ASSIGN(const HarnessFrame played, harness_->play(player, {kFrozenShot, kPeriod}));
+      if (broken(candidate, strategy, kFrozenShot, findViolation(original(kFrozenShot), played, "law.frozen_world", ExactPixels::kAll))) return moving;
+    }
+    return moving;
+  }
+
+  const HarnessFrame& original(int frame) const { return originals_[static_cast<std::size_t>(frame)]; }
+
+  bool broken(const Candidate& candidate, const std::string& strategy, int frame, const std::optional<Violation>& violation) {
+    if (!violation) return false;
+    const std::size_t width = HarnessOptions{}.width;
+    end(Verdict::kFailed, violation->law,
+        fmt::format("{} in {}, seed {}, frame {}, pixel ({}, {}): expected {}, found {}; again with: reprise check {} --seed {} --strategy {}",
+                    candidate.id, strategy, seed_, frame, violation->pixel % width, violation->pixel / width, violation->expected,
+                    violation->found, request_.path, seed_, strategy));
+    return true;
+  }
+
+  Result<bool> poisonShows(const Candidate& candidate, const std::vector<HarnessFrame>& moving) {
+    VariantOptions options = optionsFor(request_.strategy.empty() ? kPoisonedStrategy : request_.strategy);
+    options.poisoned = true;
+    Result<Player> player = variantPlayer(candidate, options);
+    if (!player.ok()) return player.error();
+    for (int frame = 0; frame < kFrames; ++frame) {
+      REPRISE_ASSIGN(const HarnessFrame played, harness_->play(*player, {frame, kPeriod}));
+      if (played.colors != moving[static_cast<std::size_t>(frame)].colors) return true;
+    }
+    return false;
+  }
+
+  const CheckRequest& request_;
+  const std::function<void()>& original_runs_;
+  ModuleVerdict verdict_;
+  Subject subject_;
+  std::unique_ptr<Context> context_;
+  std::unique_ptr<Commands> commands_;
+  std::unique_ptr<Harness> harness_;
+  std::vector<HarnessFrame> originals_;
+  std::uint32_t seed_ = 1;
+  Error last_refusal_{ErrorKind::kRefused, "strategy.none", "no strategy takes this shader", {}};
+};
+
+}  // namespace
+
+ModuleVerdict checkModule(const CheckRequest& request, const std::function<void()>& original_runs) {
+  return ModuleCheck(request, original_runs).run();
+}
+
+}  // namespace reprise

@@ -1,0 +1,29 @@
+// The laws that a played frame is held to, against the original's frame of the same moment (the design's laws 1 to 4).
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "profiler/harness/harness.h"
+
+namespace reprise {
+
+struct Violation {
+  std::string law;       // "law.always_refresh", "law.misses_exact", "law.frozen_world", "law.books", "law.depth"
+  std::size_t pixel = 0; // index, rows from the top
+  std::string expected, found;
+};
+
+// Which pixels' colours must equal the original's, bit for bit (one NaN is as good as another).
+enum class ExactPixels { kAll, kMisses };
+
+// law: the name under which unequal colours are reported. Depth must equal the original's everywhere, and exactly the pixels that are
+// neither hit nor miss must show the clear depth.
+std::optional<Violation> findViolation(const HarnessFrame& original, const HarnessFrame& played, const std::string& law, ExactPixels exact);
+
+// Of the original's frame: why it would show nothing, or "": too little covered, not finite, or the same everywhere.
+std::string whyMeaningless(const HarnessFrame& original, const std::vector<FragmentOutput>& outputs);
+
+std::size_t countKind(const HarnessFrame& frame, std::uint8_t kind);  // 1 hits, 2 misses
+
+}  // namespace reprise

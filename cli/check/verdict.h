@@ -1,0 +1,48 @@
+// What `reprise check` says of one module.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace reprise {
+
+enum class Verdict {
+  kVerified,    // every law held in every strategy that could be built, and the inputs made that mean something
+  kRefused,     // Reprise says that it cannot cache this shader, and why
+  kUntestable,  // no inputs could be made up that show anything, or the original alone does not run
+  kFailed,      // a law was broken: a bug in Reprise
+  kCrashed,     // a variant took the process down, or the time limit, though the original alone runs
+  kHung
+};
+const char* nameOf(Verdict verdict);  // "verified", "refused", ...
+
+struct ModuleVerdict {
+  std::string path;
+  Verdict verdict = Verdict::kUntestable;
+  std::string code;    // "candidate.none", "law.misses_exact", ...; empty if verified
+  std::string reason;  // one sentence; for a broken law the smallest case and the command that repeats it
+  int candidates = 0;  // tried
+  int variants = 0;    // that held all laws
+  std::vector<std::string> refused_strategies;  // "two_pass: state.depth_compare"
+  double seconds = 0;
+};
+
+struct CheckRequest {
+  std::string path;
+  std::string device;
+  std::string entry_point = "main";
+  std::vector<std::string> include_dirs;
+  std::vector<std::string> defines;  // NAME or NAME=VALUE
+  std::uint32_t seed = 1;
+  int candidates = 1;                // how many of the best ones
+  std::string strategy;              // empty: all
+};
+
+// One line of JSON each; the worker's side of the pipe and --json alike.
+std::string verdictToJson(const ModuleVerdict& verdict);
+ModuleVerdict verdictFromJson(const std::string& text);
+std::string requestToJson(const CheckRequest& request);
+CheckRequest requestFromJson(const std::string& text);
+
+}  // namespace reprise

@@ -1,0 +1,79 @@
+#include "compiler/source/harness_vertex.h"
+
+#include <algorithm>
+
+#include "compiler/source/stage_interface.h"
+
+namespace reprise {
+namespace {
+
+constexpr const char* kHead = R"(#version 450
+#extension GL_EXT_shader_explicit_arithmetic_types : enable
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec2 uv;
+layout(set = HARNESS_SET, binding = 0, std140) uniform HarnessScene {
+  mat4 view_projection;
+  mat4 model;
+  uvec4 seed;
+} harness;
+
+// In [-1, 1], from the seed and a number.
+float coefficient(uint number) {
+  uint bits = number * 0x9e3779b9u ^ harness.seed.x;
+  bits = (bits ^ bits >> 16) * 0x7feb352du;
+  bits = (bits ^ bits >> 15) * 0x846ca68bu;
+  return float(bits >> 8) / 8388608.0 - 1.0;
+}
+
+// The value of scalar `number`: about [-1, 1], or a coordinate, a direction or a place for some seeds.
+float wave(uint number) {
+  uint kind = (harness.seed.y + number / 4u) % 3u;
+  uint part = number % 4u;
+  if (kind == 0u) return part < 2u ? uv[part] : part == 2u ? 0.5 + 0.5 * position.z : 1.0;
+  if (kind == 1u) return part < 3u ? normal[part] : 1.0;
+  uint base = number * 5u;
+  return 0.3 * coefficient(base) + 0.5 * dot(vec3(coefficient(base + 1u), coefficient(base + 2u), coefficient(base + 3u)), position);
+}
+
+uint whole(uint number) { return uint(2.0 + 2.0 * clamp(wave(number), -0.99, 0.99)); }
+
+)";
+
+bool isInteger(const std::string& type) {
+  return type.find("int") != std::string::npos || type[0] == 'i' || type[0] == 'u';
+}
+
+int componentsOf(const std::string& type) {
+  const char last = type.back();
+  return type.find("vec") != std::string::npos ? last - '0' : 1;
+}
+
+}  // namespace
+
+Result<std::string> harnessVertexText(std::span<const std::uint32_t> fragment_words) {
+  ReflectOptions options;
+  options.skip_unknown_members = true;
+  REPRISE_ASSIGN(const StageInterface fragment, reflectStage(fragment_words, ShaderStage::kFragment, options));
+  std::uint32_t set = 0;
+  for (const Descriptor& descriptor : fragment.descriptors) set = std::max(set, descriptor.set + 1);
+  std::string text = kHead, body;
+  text.replace(text.find("HARNESS_SET"), 11, std::to_string(set));
+  for (const StageSlot& slot : fragment.inputs) {
+    if (slot.type.find(' ') != std::string::npos)
+      return Error{ErrorKind::kInput, "source.unsupported", "the varying \"" + slot.name + "\" is of a type that no vertex shader writes", {}};
+    const std::string name = "out_" + std::to_string(slot.location) + "_" + std::to_string(slot.component);
+    std::string values;
+    for (int component = 0; component < componentsOf(slot.type); ++component) {
+      const std::string number = std::to_string(slot.location * 4 + slot.component + static_cast<std::uint32_t>(component)) + "u";
+      values += (component > 0 ? ", " : "") + std::string(isInteger(slot.type) ? "whole(" : "wave(") + number + ")";
+    }
+    // Integers are flat whether the fragment shader says so or not; for others its word counts.
+    text += "layout(location = " + std::to_string(slot.location) + ", component = " + std::to_string(slot.component) + ") " +
+            (isInteger(slot.type) || slot.type[0] == 'd' ? "flat " : "") + "out " + slot.type + " " + name + ";\n";
+    body += "  " + name + " = " + slot.type + "(" + values + ");\n";
+  }
+  return text + "void main() {\n" + body + "  gl_Position = harness.view_projection * harness.model * vec4(position, 1.0);\n}\n";
+}
+
+}  // namespace reprise

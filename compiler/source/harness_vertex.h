@@ -1,0 +1,20 @@
+// A vertex shader for a fragment shader that comes without one: it draws a mesh and gives every varying values that vary.
+//
+// Vertex inputs: vec3 position, vec3 normal, vec2 uv. One uniform block HarnessScene at binding 0 of the first set that the
+// fragment shader leaves free: mat4 view_projection,
+// mat4 model, uvec4 seed. gl_Position = view_projection * model * position. Every scalar of every varying is a
+// smooth function of position, normal and uv with coefficients from the seed; integers are small and at least 0.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "runtime/base/result.h"
+
+namespace reprise {
+
+// GLSL text. Errors: those of reflect.h; source.unsupported (kInput) for varyings that are not made of 16-, 32- or 64-bit numbers.
+Result<std::string> harnessVertexText(std::span<const std::uint32_t> fragment_words);
+
+}  // namespace reprise
