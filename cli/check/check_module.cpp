@@ -9,7 +9,9 @@
 
 #include "cli/check/capabilities.h"
 #include "cli/check/frame_laws.h"
+#include "compiler/ir/reproducible.h"
 #include "compiler/source/harness_vertex.h"
+#include "compiler/source/validate.h"
 #include "compiler/strategies/build_recipe.h"
 #include "compiler/strategies/registry.h"
 
@@ -19,6 +21,7 @@ namespace {
 constexpr int kFrames = 6, kFrozenFrames = 4, kFrozenShot = 2, kPeriodOneFrames = 3;
 constexpr std::uint32_t kPeriod = 4;
 constexpr std::uint32_t kBlock = 4;
+constexpr double kRounding = 1e-3, kLittleRounding = 1e-5;
 constexpr int kSeedsTried = 3;
 constexpr std::size_t kCandidatesTried = 4;
 constexpr const char* kPoisonedStrategy = "branch";  // every state allows it
@@ -65,18 +68,18 @@ Result<Subject> readSubjectOf(const CompiledShader& fragment) {
 
 class ModuleCheck {
  public:
-  ModuleCheck(const CheckRequest& request, const std::function<void()>& original_runs) : request_(request), original_runs_(original_runs) {
+  ModuleCheck(const CheckRequest& request, const Context& context, Commands& commands, const std::function<void()>& original_runs)
+      : request_(request), original_runs_(original_runs), context_(context), commands_(commands) {
     verdict_.path = request.path;
   }
 
-  ModuleVerdict run() {
-    const auto start = std::chrono::steady_clock::now();
-    const Result<void> result = check();
+  ModuleVerdict run(const CompiledShader& fragment, double tolerance) {
+    tolerance_ = tolerance;
+    const Result<void> result = check(fragment);
     if (!result.ok()) {
       const Error& error = result.error();
       end(error.kind == ErrorKind::kRefused ? Verdict::kRefused : Verdict::kUntestable, error.code, error.message);
     }
-    verdict_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return verdict_;
   }
 
@@ -87,15 +90,7 @@ class ModuleCheck {
     verdict_.reason = reason;
   }
 
-  Result<void> check() {
-    REPRISE_ASSIGN(const CompiledShader fragment, compile(request_.path, compileOptionsOf(request_)));
-    ContextOptions options;
-    options.device = request_.device;
-    REPRISE_ASSIGN(Context context, Context::create(options));
-    context_ = std::make_unique<Context>(std::move(context));
-    const std::string lacking = missingCapability(fragment.words, *context_);
-    if (!lacking.empty())
-      return Error{ErrorKind::kRefused, "device.capability", "the module needs the capability " + lacking + ", which the device lacks", {}};
+  Result<void> check(const CompiledShader& fragment) {
     REPRISE_ASSIGN(subject_, readSubjectOf(fragment));
     if (subject_.program.analysis.refusal) return *subject_.program.analysis.refusal;
     if (subject_.program.interface.outputs.empty())
@@ -106,8 +101,6 @@ class ModuleCheck {
     for (const Candidate& value : values)
       if (value.kept()) subject_.candidates.push_back(value);
     if (subject_.candidates.empty()) return Error{ErrorKind::kRefused, "candidate.none", whyNone(values), {}};
-    REPRISE_ASSIGN(Commands commands, Commands::create(*context_));
-    commands_ = std::make_unique<Commands>(std::move(commands));
     return trySeeds();
   }
 
@@ -140,7 +133,7 @@ class ModuleCheck {
   Result<std::string> playOriginal() {
     HarnessOptions options;
     options.seed = seed_;
-    REPRISE_ASSIGN(Harness harness, Harness::create(*context_, *commands_, subject_.program.interface, options));
+    REPRISE_ASSIGN(Harness harness, Harness::create(context_, commands_, subject_.program.interface, options));
     harness_ = std::make_unique<Harness>(std::move(harness));
     originals_.clear();
     VariantOptions original;
@@ -220,12 +213,12 @@ class ModuleCheck {
     std::vector<HarnessFrame> moving;
     for (int frame = 0; frame < kPeriodOneFrames; ++frame) {
       REPRISE_ASSIGN(const HarnessFrame played, harness_->play(player, {frame, 1}));
-      if (broken(candidate, strategy, frame, findViolation(original(frame), played, "law.always_refresh", ExactPixels::kAll))) return moving;
+      if (broken(candidate, strategy, frame, findViolation(original(frame), played, {"law.always_refresh", ExactPixels::kAll, tolerance_}))) return moving;
     }
     player.invalidate();
     for (int frame = 0; frame < kFrames; ++frame) {
       REPRISE_ASSIGN(HarnessFrame played, harness_->play(player, {frame, kPeriod}));
-      if (broken(candidate, strategy, frame, findViolation(original(frame), played, "law.misses_exact", ExactPixels::kMisses))) return moving;
+      if (broken(candidate, strategy, frame, findViolation(original(frame), played, {"law.misses_exact", ExactPixels::kMisses, tolerance_}))) return moving;
       moving.push_back(std::move(played));
     }
     if (countKind(moving.front(), 1) > 0) {
@@ -235,7 +228,7 @@ class ModuleCheck {
     player.invalidate();
     for (int frame = 0; frame < kFrozenFrames; ++frame) {
       REPRISE_ASSIGN(const HarnessFrame played, harness_->play(player, {kFrozenShot, kPeriod}));
-      if (broken(candidate, strategy, kFrozenShot, findViolation(original(kFrozenShot), played, "law.frozen_world", ExactPixels::kAll))) return moving;
+      if (broken(candidate, strategy, kFrozenShot, findViolation(original(kFrozenShot), played, {"law.frozen_world", ExactPixels::kAll, tolerance_}))) return moving;
     }
     return moving;
   }
@@ -266,20 +259,73 @@ class ModuleCheck {
 
   const CheckRequest& request_;
   const std::function<void()>& original_runs_;
+  const Context& context_;
+  Commands& commands_;
   ModuleVerdict verdict_;
   Subject subject_;
-  std::unique_ptr<Context> context_;
-  std::unique_ptr<Commands> commands_;
   std::unique_ptr<Harness> harness_;
   std::vector<HarnessFrame> originals_;
   std::uint32_t seed_ = 1;
+  double tolerance_ = 0;
   Error last_refusal_{ErrorKind::kRefused, "strategy.none", "no strategy takes this shader", {}};
 };
+
+ModuleVerdict endedBy(const CheckRequest& request, const Error& error) {
+  ModuleVerdict verdict;
+  verdict.path = request.path;
+  verdict.verdict = error.kind == ErrorKind::kRefused ? Verdict::kRefused : Verdict::kUntestable;
+  verdict.code = error.code;
+  verdict.reason = error.message;
+  return verdict;
+}
+
+Result<CompiledShader> changed(const CompiledShader& shader, Module (*change)(const Module&)) {
+  REPRISE_ASSIGN(const Module module, readModule(shader.words));
+  CompiledShader result = shader;
+  result.words = writeModule(change(module));
+  REPRISE_TRY(validateModule(result.words));
+  return result;
+}
+
+Result<ModuleVerdict> checkCompiled(const CheckRequest& request, const std::function<void()>& original_runs) {
+  REPRISE_ASSIGN(const CompiledShader given, compile(request.path, compileOptionsOf(request)));
+  ContextOptions options;
+  options.device = request.device;
+  REPRISE_ASSIGN(const Context context, Context::create(options));
+  const std::string lacking = missingCapability(given.words, context);
+  if (!lacking.empty())
+    return Error{ErrorKind::kRefused, "device.capability", "the module needs the capability " + lacking + ", which the device lacks", {}};
+  REPRISE_ASSIGN(Commands commands, Commands::create(context));
+  REPRISE_ASSIGN(const CompiledShader fragment, changed(given, withDefinedValues));
+  const auto check = [&](const CompiledShader& shader, double tolerance) {
+    return ModuleCheck(request, context, commands, original_runs).run(shader, tolerance);
+  };
+  ModuleVerdict verdict = check(fragment, 0);
+  if (verdict.verdict != Verdict::kFailed || verdict.code == "law.depth" || verdict.code == "law.books") return verdict;
+  // A driver may round the same expression differently in another surrounding. That is no fault of the rewrite if it is little, and if
+  // it is next to nothing, or gone where the driver has no such freedom.
+  REPRISE_ASSIGN(const CompiledShader strict, changed(fragment, withoutContraction));
+  ModuleVerdict nearly = check(fragment, kLittleRounding);
+  if (nearly.verdict == Verdict::kVerified) {
+    nearly.reason = "within 1e-5; not bit for bit, as the device rounds differently";
+    return nearly;
+  }
+  ModuleVerdict rounded = check(strict, 0);
+  if (rounded.verdict == Verdict::kVerified && check(fragment, kRounding).verdict == Verdict::kVerified) {
+    rounded.reason = "bit for bit with NoContraction on both sides; as given the device rounds differently";
+    return rounded;
+  }
+  return rounded.verdict == Verdict::kFailed ? rounded : verdict;
+}
 
 }  // namespace
 
 ModuleVerdict checkModule(const CheckRequest& request, const std::function<void()>& original_runs) {
-  return ModuleCheck(request, original_runs).run();
+  const auto start = std::chrono::steady_clock::now();
+  const Result<ModuleVerdict> checked = checkCompiled(request, original_runs);
+  ModuleVerdict verdict = checked.ok() ? *checked : endedBy(request, checked.error());
+  verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return verdict;
 }
 
 }  // namespace reprise

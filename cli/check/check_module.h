@@ -5,6 +5,11 @@
 // world that stands still. `verified` needs inputs under which this says something: the original covers a tenth of the image, is
 // finite and not constant, hits and misses occur, and a poisoned cache changes the image; other seeds and
 // candidates are tried before giving up.
+//
+// Undefined values are made zero in the original and the variants alike (compiler/ir/reproducible.h). Where the bits differ, the
+// module is verified all the same, and the reason says so, if the difference is at most 1e-5 of the value, or if the bits are
+// equal with NoContraction on both sides and the difference as given is at most 1e-3: drivers expand and fuse
+// operations differently in other surroundings.
 #pragma once
 
 #include <functional>

@@ -15,11 +15,14 @@ constexpr std::uint32_t kClearDepth = 0x3f800000u;  // 1.0f
 
 float asFloat(std::uint32_t word) { return std::bit_cast<float>(word); }
 
-bool same(std::uint32_t a, std::uint32_t b) { return a == b || (std::isnan(asFloat(a)) && std::isnan(asFloat(b))); }
+bool same(std::uint32_t a, std::uint32_t b, double tolerance) {
+  if (a == b || (std::isnan(asFloat(a)) && std::isnan(asFloat(b)))) return true;
+  return tolerance > 0 && std::abs(asFloat(a) - asFloat(b)) <= tolerance * std::max(1.0f, std::abs(asFloat(a)));
+}
 
-bool samePixel(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b, std::size_t pixel) {
+bool samePixel(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b, std::size_t pixel, double tolerance) {
   for (std::size_t channel = 0; channel < 4; ++channel)
-    if (!same(a[pixel * 4 + channel], b[pixel * 4 + channel])) return false;
+    if (!same(a[pixel * 4 + channel], b[pixel * 4 + channel], tolerance)) return false;
   return true;
 }
 
@@ -36,16 +39,16 @@ bool covered(const HarnessFrame& frame, std::size_t pixel) { return frame.depth[
 
 }  // namespace
 
-std::optional<Violation> findViolation(const HarnessFrame& original, const HarnessFrame& played, const std::string& law, ExactPixels exact) {
+std::optional<Violation> findViolation(const HarnessFrame& original, const HarnessFrame& played, const ColorLaw& law) {
   for (std::size_t pixel = 0; pixel < original.depth.size(); ++pixel) {
     if (original.depth[pixel] != played.depth[pixel])
       return Violation{"law.depth", pixel, fmt::format("depth {}", asFloat(original.depth[pixel])), fmt::format("depth {}", asFloat(played.depth[pixel]))};
     if (!played.kind.empty() && covered(original, pixel) != (played.kind[pixel] != 0))
       return Violation{"law.books", pixel, covered(original, pixel) ? "a hit or a miss" : "nothing drawn", fmt::format("kind {}", played.kind[pixel])};
-    if (exact == ExactPixels::kMisses && (played.kind.empty() || played.kind[pixel] != 2)) continue;
+    if (law.pixels == ExactPixels::kMisses && (played.kind.empty() || played.kind[pixel] != 2)) continue;
     for (std::size_t output = 0; output < original.colors.size(); ++output)
-      if (!samePixel(original.colors[output], played.colors[output], pixel))
-        return Violation{law, pixel, fmt::format("output {}: {}", output, pixelText(original.colors[output], pixel)),
+      if (!samePixel(original.colors[output], played.colors[output], pixel, law.tolerance))
+        return Violation{law.name, pixel, fmt::format("output {}: {}", output, pixelText(original.colors[output], pixel)),
                          pixelText(played.colors[output], pixel)};
   }
   return std::nullopt;

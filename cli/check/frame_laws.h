@@ -17,9 +17,15 @@ struct Violation {
 // Which pixels' colours must equal the original's, bit for bit (one NaN is as good as another).
 enum class ExactPixels { kAll, kMisses };
 
-// law: the name under which unequal colours are reported. Depth must equal the original's everywhere, and exactly the pixels that are
-// neither hit nor miss must show the clear depth.
-std::optional<Violation> findViolation(const HarnessFrame& original, const HarnessFrame& played, const std::string& law, ExactPixels exact);
+// Of colours. tolerance: how far floats may be off, relative to the larger of 1 and the value; 0: not by a bit.
+struct ColorLaw {
+  std::string name;
+  ExactPixels pixels = ExactPixels::kAll;
+  double tolerance = 0;
+};
+
+// Depth must equal the original's everywhere, and exactly the pixels that are neither hit nor miss must show the clear depth.
+std::optional<Violation> findViolation(const HarnessFrame& original, const HarnessFrame& played, const ColorLaw& law);
 
 // Of the original's frame: why it would show nothing, or "": too little covered, not finite, or the same everywhere.
 std::string whyMeaningless(const HarnessFrame& original, const std::vector<FragmentOutput>& outputs);

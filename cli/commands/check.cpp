@@ -45,7 +45,7 @@ std::string lineOf(const ModuleVerdict& verdict) {
   if (verdict.verdict == Verdict::kVerified) {
     line += fmt::format(" ({} variants, {:.1f} s)", verdict.variants, verdict.seconds);
     for (const std::string& refused : verdict.refused_strategies) line += ", not " + refused;
-    return line;
+    return verdict.reason.empty() ? line : line + ", " + verdict.reason;
   }
   return line + fmt::format(" {} {}", verdict.code, verdict.reason);
 }

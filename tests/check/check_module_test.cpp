@@ -1,0 +1,119 @@
+// The differential test itself: shaders that must pass, shaders that must be refused, and a rewrite that is wrong on purpose.
+#include "cli/check/check_module.h"
+
+#include <gtest/gtest.h>
+
+#include "cli/check/frame_laws.h"
+#include "compiler/source/harness_vertex.h"
+#include "compiler/strategies/build_recipe.h"
+#include "tests/e2e/run_command.h"
+
+namespace reprise {
+namespace {
+
+class CheckModule : public testing::Test {
+ protected:
+  ModuleVerdict checkText(const std::string& text) {
+    writeText(folder_ / "test.frag", text);
+    CheckRequest request;
+    request.path = (folder_ / "test.frag").string();
+    return checkModule(request, [this] { ++originals_; });
+  }
+
+  TemporaryFolder folder_;
+  int originals_ = 0;
+};
+
+constexpr const char* kHead = "#version 450\nlayout(location = 0) in vec3 place;\nlayout(location = 0) out vec4 color;\n";
+
+TEST_F(CheckModule, VerifiesEveryStrategy) {
+  const ModuleVerdict verdict = checkText(std::string(kHead) + "void main() { color = vec4(sin(place * 7.0) * exp(place.x), 1.0) * 0.5; }\n");
+  EXPECT_EQ(verdict.verdict, Verdict::kVerified) << verdict.code << ' ' << verdict.reason;
+  EXPECT_EQ(verdict.variants, 4);
+  EXPECT_GE(originals_, 1);
+}
+
+TEST_F(CheckModule, MakesUpInputsOfEveryKind) {
+  const ModuleVerdict verdict = checkText(std::string(kHead) + R"(
+layout(set = 0, binding = 0) uniform Light { vec4 colors[3]; ivec2 counts; mat3 turn; } light;
+layout(set = 0, binding = 1) readonly buffer Data { vec4 head; float tail[]; } data;
+layout(set = 1, binding = 0) uniform sampler2D flat_map;
+layout(set = 1, binding = 1) uniform samplerCube sky;
+layout(set = 1, binding = 2) uniform sampler3D volume;
+layout(set = 1, binding = 3) uniform sampler2DArray sheets;
+layout(set = 1, binding = 4) uniform sampler2DShadow shadow;
+layout(set = 1, binding = 5) uniform isampler2D whole;
+layout(set = 1, binding = 6) uniform samplerBuffer texels;
+layout(set = 1, binding = 7) uniform texture2D image;
+layout(set = 1, binding = 8) uniform sampler smooth_sampler;
+layout(push_constant) uniform Push { float gain; } push;
+layout(location = 1) flat in ivec2 index;
+void main() {
+  vec4 sum = texture(flat_map, place.xy) + texture(sky, place) + texture(volume, place) + texture(sheets, place) + texelFetch(texels, 3);
+  sum += texture(shadow, place) + vec4(texelFetch(whole, ivec2(1), 0)) + texture(sampler2D(image, smooth_sampler), place.yz);
+  sum += light.colors[light.counts.x % 3] + data.head * data.tail[2] + vec4(light.turn * place, float(index.x));
+  color = sin(sum * push.gain * exp(place.x));
+}
+)");
+  EXPECT_EQ(verdict.verdict, Verdict::kVerified) << verdict.code << ' ' << verdict.reason;
+}
+
+TEST_F(CheckModule, RefusesWhatCannotBeCached) {
+  const ModuleVerdict writes = checkText(std::string(kHead) + "layout(binding = 0) buffer Log { float last; } log_block;\n"
+                                                             "void main() { log_block.last = place.x; color = vec4(sin(place), 1.0); }\n");
+  EXPECT_EQ(writes.verdict, Verdict::kRefused);
+  EXPECT_EQ(writes.code, "shader.side_effects");
+  const ModuleVerdict constant = checkText("#version 450\nlayout(location = 0) out vec4 color;\nvoid main() { color = vec4(1.0); }\n");
+  EXPECT_EQ(constant.code, "candidate.none");
+  EXPECT_EQ(originals_, 0);
+}
+
+TEST_F(CheckModule, SaysWhenInputsShowNothing) {
+  const ModuleVerdict verdict = checkText(std::string(kHead) + "void main() { color = vec4(max(sin(place.x) - 5.0, 0.0)); }\n");
+  EXPECT_EQ(verdict.verdict, Verdict::kUntestable);
+  EXPECT_EQ(verdict.code, "inputs.meaningless");
+  EXPECT_NE(verdict.reason.find("the same everywhere"), std::string::npos) << verdict.reason;
+}
+
+TEST_F(CheckModule, UndefinedValuesAreNoDifference) {
+  const ModuleVerdict verdict = checkText(std::string(kHead) + "void main() { vec4 sum; sum.xyz += sin(place * 5.0); color = sum; }\n");
+  EXPECT_EQ(verdict.verdict, Verdict::kVerified) << verdict.code << ' ' << verdict.reason;
+}
+
+TEST_F(CheckModule, BrokenSourceIsSaidToBeThat) {
+  const ModuleVerdict verdict = checkText("#version 450\nvoid main() { nonsense }\n");
+  EXPECT_EQ(verdict.verdict, Verdict::kUntestable);
+  EXPECT_EQ(verdict.code, "source.syntax");
+}
+
+// Hits with wrong payloads stand for a rewrite that is wrong: the frozen world must not be exact then.
+TEST(Laws, NoticeAPoisonedCache) {
+  const CompiledShader fragment =
+      compileText(std::string(kHead) + "void main() { color = vec4(sin(place * 7.0) * exp(place.x), 1.0); }\n", "test.frag", {}).value();
+  const CompiledShader vertex = compileText(harnessVertexText(fragment.words).value(), "harness.vert", {}).value();
+  const ShaderProgram program = readProgram(vertex, fragment).value();
+  const std::vector<Candidate> candidates = enumerateCandidates(*program.fragment, program.analysis, program.sources, {});
+  ASSERT_FALSE(candidates.empty());
+  const Context context = Context::create({}).value();
+  Commands commands = Commands::create(context).value();
+  Harness harness = Harness::create(context, commands, program.interface, {}).value();
+  VariantOptions options;
+  options.filter = Filter::kNearest;
+  options.encoding = Encoding::kRgba32f;
+  options.instrumented = true;
+  options.ranges = {0.3f, 20, {}, {}};
+  for (const bool poisoned : {false, true}) {
+    options.poisoned = poisoned;
+    const Package package = buildPackage(program, candidates.front(), options, {true, true}).value();
+    Player original = harness.createPlayer(package, true).value(), variant = harness.createPlayer(package, false).value();
+    const HarnessFrame expected = harness.play(original, {0, 1}).value();
+    harness.play(variant, {0, 4}).value();
+    const HarnessFrame played = harness.play(variant, {0, 4}).value();
+    EXPECT_GT(countKind(played, 1), 500u);
+    const auto violation = findViolation(expected, played, {"law.frozen_world", ExactPixels::kAll, 0});
+    EXPECT_EQ(violation.has_value(), poisoned) << (violation ? violation->expected + " / " + violation->found : "");
+  }
+}
+
+}  // namespace
+}  // namespace reprise

@@ -1,0 +1,99 @@
+// Workers that crash, hang or talk nonsense, played by shell scripts.
+#include "cli/check/run_modules.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/e2e/run_command.h"
+
+namespace reprise {
+namespace {
+
+class RunModules : public testing::Test {
+ protected:
+  // What comes of one module whose worker does this after it has read its request.
+  ModuleVerdict verdictOf(const std::string& script) {
+    writeText(folder_ / "worker", "#!/bin/sh\ncat > /dev/null\n" + script + "\n");
+    std::filesystem::permissions(folder_ / "worker", std::filesystem::perms::owner_all);
+    RunModulesOptions options;
+    options.worker_path = (folder_ / "worker").string();
+    options.module_timeout_s = 1;
+    CheckRequest request;
+    request.path = "some.frag";
+    const auto verdicts = runModules({request}, options, [](const ModuleVerdict&) {});
+    return verdicts.ok() ? verdicts->front() : ModuleVerdict{};
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(RunModules, ACrashAfterTheOriginalIsOurs) {
+  const ModuleVerdict verdict = verdictOf("echo original runs\nkill -SEGV $$");
+  EXPECT_EQ(verdict.verdict, Verdict::kCrashed);
+  EXPECT_EQ(verdict.code, "variant.crashed");
+  EXPECT_NE(verdict.reason.find("signal 11"), std::string::npos) << verdict.reason;
+}
+
+TEST_F(RunModules, ACrashOfTheOriginalIsNot) {
+  const ModuleVerdict verdict = verdictOf("kill -SEGV $$");
+  EXPECT_EQ(verdict.verdict, Verdict::kUntestable);
+  EXPECT_EQ(verdict.code, "original.crashed");
+}
+
+TEST_F(RunModules, AHangIsEnded) {
+  EXPECT_EQ(verdictOf("echo original runs\nexec sleep 60").verdict, Verdict::kHung);
+  EXPECT_EQ(verdictOf("exec sleep 60").code, "original.hung");
+}
+
+TEST_F(RunModules, HalfAVerdictIsACrash) {
+  EXPECT_EQ(verdictOf("echo original runs\nprintf '{\"path\": \"some.frag\", \"verd'").verdict, Verdict::kCrashed);
+}
+
+TEST_F(RunModules, VerdictsKeepTheOrderOfTheirModules) {
+  // The first worker is the slowest.
+  writeText(folder_ / "worker", R"sh(#!/bin/sh
+request=$(cat)
+path=$(printf '%s' "$request" | sed 's/.*"path":"\([^"]*\)".*/\1/')
+[ "$path" = 0.frag ] && sleep 0.4
+echo original runs
+echo "{\"path\":\"$path\",\"verdict\":\"verified\",\"code\":\"\",\"reason\":\"\",\"candidates\":1,\"variants\":4,\"refused_strategies\":[],\"seconds\":0.1}"
+)sh");
+  std::filesystem::permissions(folder_ / "worker", std::filesystem::perms::owner_all);
+  std::vector<CheckRequest> requests(5);
+  for (std::size_t i = 0; i < requests.size(); ++i) requests[i].path = std::to_string(i) + ".frag";
+  RunModulesOptions options;
+  options.worker_path = (folder_ / "worker").string();
+  options.jobs = 3;
+  int done = 0;
+  const auto verdicts = runModules(requests, options, [&](const ModuleVerdict&) { ++done; });
+  ASSERT_TRUE(verdicts.ok());
+  EXPECT_EQ(done, 5);
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    EXPECT_EQ((*verdicts)[i].path, requests[i].path);
+    EXPECT_EQ((*verdicts)[i].verdict, Verdict::kVerified);
+  }
+}
+
+TEST_F(RunModules, AnInterruptStopsEveryWorker) {
+  writeText(folder_ / "worker", "#!/bin/sh\nexec sleep 60\n");
+  std::filesystem::permissions(folder_ / "worker", std::filesystem::perms::owner_all);
+  RunModulesOptions options;
+  options.worker_path = (folder_ / "worker").string();
+  options.jobs = 2;
+  options.interrupted = [] { return true; };
+  const auto verdicts = runModules(std::vector<CheckRequest>(4), options, [](const ModuleVerdict&) {});
+  ASSERT_FALSE(verdicts.ok());
+  EXPECT_EQ(verdicts.error().kind, ErrorKind::kInterrupted);
+}
+
+TEST(VerdictJson, ComesBackAsItWas) {
+  ModuleVerdict verdict{"a \"b\".frag", Verdict::kFailed, "law.misses_exact", "x", 2, 3, {"two_pass: state.depth_compare"}, 1.5};
+  const ModuleVerdict back = verdictFromJson(verdictToJson(verdict));
+  EXPECT_EQ(verdictToJson(back), verdictToJson(verdict));
+  EXPECT_EQ(back.path, verdict.path);
+  EXPECT_EQ(back.verdict, verdict.verdict);
+}
+
+}  // namespace
+}  // namespace reprise
