@@ -16,7 +16,7 @@ namespace {
 
 bool isShaderFile(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
-  return extension == ".frag" || extension == ".spv" || extension == ".spvasm";
+  return extension == ".frag" || extension == ".hlsl" || extension == ".spv" || extension == ".spvasm";
 }
 
 Result<std::vector<std::string>> filesOf(const std::vector<std::string>& named) {
@@ -28,7 +28,7 @@ Result<std::vector<std::string>> filesOf(const std::vector<std::string>& named) 
       for (const auto& entry : std::filesystem::recursive_directory_iterator(name, status))
         if (entry.is_regular_file() && isShaderFile(entry.path())) inside.push_back(entry.path().string());
       if (inside.empty())
-        return Error{ErrorKind::kInput, "file.missing", "the directory has no .frag, .spv or .spvasm files", {name, 0, 0}};
+        return Error{ErrorKind::kInput, "file.missing", "the directory has no .frag, .hlsl, .spv or .spvasm files", {name, 0, 0}};
       std::sort(inside.begin(), inside.end());
       files.insert(files.end(), inside.begin(), inside.end());
     } else if (name == "-" || !std::filesystem::exists(name, status)) {

@@ -12,7 +12,7 @@
 namespace reprise {
 
 struct CheckArguments {
-  std::vector<std::string> shaders;  // files, and directories whose .frag, .spv and .spvasm files are taken, sorted
+  std::vector<std::string> shaders;  // files, and directories whose .frag, .hlsl, .spv and .spvasm files are taken, sorted
   CheckRequest request;              // path is set for each
   int jobs = 0;                      // 0: the number of cores
   double module_timeout_s = 60;

@@ -24,10 +24,10 @@ std::string extensionOf(const std::filesystem::path& path) {
 std::optional<ShaderStage> stageOfName(const std::string& name) {
   std::filesystem::path path(name);
   std::string extension = extensionOf(path);
-  if (extension == ".glsl" || extension == ".spv" || extension == ".spvasm")
+  if (extension == ".glsl" || extension == ".hlsl" || extension == ".spv" || extension == ".spvasm")
     extension = extensionOf(path.stem());
   if (extension == ".vert" || extension == ".vs") return ShaderStage::kVertex;
-  if (extension == ".frag" || extension == ".fs") return ShaderStage::kFragment;
+  if (extension == ".frag" || extension == ".fs" || extension == ".ps") return ShaderStage::kFragment;
   return std::nullopt;
 }
 
@@ -77,7 +77,7 @@ Result<ShaderStage> stageOfGlsl(const std::string& name, const CompileOptions& o
   if (named) return *named;
   return Error{ErrorKind::kInput,
                "source.stage",
-               "the stage cannot be told from the name; call the file .vert or .frag, or name the stage",
+               "the stage cannot be told from the name; call the file .vert or .frag (.vs.hlsl or .ps.hlsl), or name the stage",
                {name, 0, 0}};
 }
 

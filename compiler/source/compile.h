@@ -1,7 +1,9 @@
 // From a shader file to a SPIR-V module with names and line numbers (stage 1).
 //
 // GLSL is translated by glslang for Vulkan 1.1, SPIR-V 1.3, without any optimization, so that every value can
-// be traced to its line (OpLine) and its name (OpName). SPIR-V binaries are known by their magic number,
+// be traced to its line (OpLine) and its name (OpName). HLSL is known by the suffix .hlsl and goes through glslang's other
+// front end: bindings are those of [[vk::binding]], else register numbers, where textures start at 16, samplers at 32 and storage
+// at 48, else the next free ones; SV_TargetN is location N. SPIR-V binaries are known by their magic number,
 // whatever the file is called, and pass through unchanged after validation; text of the SPIR-V assembler is
 // known by the suffix .spvasm. All SPIR-V that leaves here has passed the validator.
 //
@@ -33,12 +35,12 @@ enum class ShaderStage { kVertex, kFragment };
 const char* nameOf(ShaderStage stage);
 
 struct CompileOptions {
-  // The stage wanted. Without it: .vert and .vs are vertex, .frag and .fs are fragment (also before .glsl,
-  // .spv and .spvasm), and SPIR-V tells its own stage.
+  // The stage wanted. Without it: .vert and .vs are vertex, .frag, .fs and .ps are fragment (also before .glsl,
+  // .hlsl, .spv and .spvasm), and SPIR-V tells its own stage.
   std::optional<ShaderStage> stage;
   std::vector<std::filesystem::path> include_dirs;           // -I, in order
   std::vector<std::pair<std::string, std::string>> defines;  // -D name, value; the value may be empty
-  std::string entry_point = "main";                          // of SPIR-V input; GLSL always has main
+  std::string entry_point = "main";                          // of SPIR-V and HLSL; GLSL always has main
   // -std=: "450", "450core", "310es"; overrides the #version line. Empty: as the file says, 450 if it says
   // nothing.
   std::string standard;

@@ -9,9 +9,11 @@
 #include <array>
 #include <cctype>
 #include <memory>
+#include <spirv-tools/optimizer.hpp>
 
 #include "compiler/source/glslang_log.h"
 #include "compiler/source/include_resolver.h"
+#include "compiler/source/validate.h"
 
 namespace reprise {
 namespace {
@@ -90,8 +92,8 @@ Result<Standard> standardOf(const std::string& spelling) {
 }
 
 // Text that is read before the shader. It does not shift the shader's lines.
-Result<std::string> preambleOf(const CompileOptions& options) {
-  std::string preamble = "#extension GL_GOOGLE_include_directive : require\n";
+Result<std::string> preambleOf(const CompileOptions& options, bool hlsl) {
+  std::string preamble = hlsl ? "" : "#extension GL_GOOGLE_include_directive : require\n";
   for (const auto& [name, value] : options.defines) {
     const bool identifier = !name.empty() && std::isdigit(static_cast<unsigned char>(name.front())) == 0 &&
                             std::all_of(name.begin(), name.end(), [](unsigned char c) {
@@ -137,18 +139,51 @@ void listSources(std::string_view text, const IncludeResolver& resolver, Compile
   }
 }
 
+// HLSL passes textures and structs of them about as values, which SPIR-V for Vulkan does not allow.
+Result<CompiledShader> legalized(CompiledShader shader) {
+  if (validateModule(shader.words).ok()) return shader;
+  spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
+  optimizer.RegisterLegalizationPasses();
+  spvtools::OptimizerOptions run;
+  run.set_run_validator(false);
+  std::vector<std::uint32_t> words;
+  if (!optimizer.Run(shader.words.data(), shader.words.size(), &words, run))
+    return Error{ErrorKind::kInput, "source.invalid", "the HLSL cannot be brought into a form that Vulkan takes", {shader.main_path, 0, 0}};
+  shader.words = std::move(words);
+  return shader;
+}
+
+bool isHlsl(const std::string& name) { return name.ends_with(".hlsl") || name.ends_with(".HLSL"); }
+
+// HLSL has registers by kind of resource, Vulkan one sequence of bindings.
+constexpr unsigned kTextureShift = 16, kSamplerShift = 32, kStorageShift = 48;
+
+void readAsHlsl(glslang::TShader& shader, EShLanguage language, const std::string& entry_point) {
+  shader.setEnvInput(glslang::EShSourceHlsl, language, glslang::EShClientVulkan, 100);
+  shader.setSourceEntryPoint(entry_point.c_str());
+  shader.setEntryPoint("main");
+  shader.setAutoMapBindings(true);
+  shader.setAutoMapLocations(true);
+  shader.setShiftBinding(glslang::EResTexture, kTextureShift);
+  shader.setShiftBinding(glslang::EResImage, kStorageShift);
+  shader.setShiftBinding(glslang::EResSsbo, kStorageShift);
+  shader.setShiftBinding(glslang::EResUav, kStorageShift);
+  shader.setShiftBinding(glslang::EResSampler, kSamplerShift);
+}
+
 }  // namespace
 
 Result<CompiledShader> translateGlsl(std::string_view text, const std::string& name, ShaderStage stage,
                                      const CompileOptions& options) {
   REPRISE_ASSIGN(const Standard standard, standardOf(options.standard));
-  REPRISE_ASSIGN(const std::string preamble, preambleOf(options));
+  REPRISE_ASSIGN(const std::string preamble, preambleOf(options, isHlsl(name)));
   REPRISE_TRY(refuseNul(text, name));
   initializeOnce();
 
   const EShLanguage language = stage == ShaderStage::kVertex ? EShLangVertex : EShLangFragment;
-  constexpr auto kMessages =
-      static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules | EShMsgEnhanced | EShMsgSuppressWarnings);
+  const bool hlsl = isHlsl(name);
+  const auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules | EShMsgEnhanced | EShMsgSuppressWarnings |
+                                                 (hlsl ? EShMsgReadHlsl | EShMsgHlslOffsets : 0));
   // The program refers to the shader and is destroyed before it.
   glslang::TShader shader(language);
   const std::string whole(text);
@@ -157,7 +192,11 @@ Result<CompiledShader> translateGlsl(std::string_view text, const std::string& n
   const char* names[] = {name.c_str()};
   shader.setStringsWithLengthsAndNames(texts, lengths, names, 1);
   shader.setPreamble(preamble.c_str());
-  shader.setEnvInput(glslang::EShSourceGlsl, language, glslang::EShClientVulkan, 100);
+  if (hlsl) {
+    readAsHlsl(shader, language, options.entry_point);
+  } else {
+    shader.setEnvInput(glslang::EShSourceGlsl, language, glslang::EShClientVulkan, 100);
+  }
   shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
   shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
   shader.setEnhancedMsgs();
@@ -169,7 +208,7 @@ Result<CompiledShader> translateGlsl(std::string_view text, const std::string& n
   compiled.stage = stage;
   compiled.main_path = name;
   const bool parsed = shader.parse(GetDefaultResources(), standard.version, standard.profile, standard.forced,
-                                   /*forwardCompatible=*/false, kMessages, includer);
+                                   /*forwardCompatible=*/false, messages, includer);
   listSources(text, resolver, compiled);
   if (!parsed) {
     const Error logged = errorOfLog(shader.getInfoLog(), name, compiled.sources);
@@ -177,7 +216,7 @@ Result<CompiledShader> translateGlsl(std::string_view text, const std::string& n
   }
   glslang::TProgram program;
   program.addShader(&shader);
-  if (!program.link(kMessages)) return errorOfLog(program.getInfoLog(), name, compiled.sources);
+  if (!program.link(messages) || (hlsl && !program.mapIO())) return errorOfLog(program.getInfoLog(), name, compiled.sources);
 
   glslang::SpvOptions spirv_options;
   spirv_options.generateDebugInfo = true;
@@ -188,6 +227,7 @@ Result<CompiledShader> translateGlsl(std::string_view text, const std::string& n
   intermediate->addSourceText(whole.c_str(), whole.size());
   spv::SpvBuildLogger logger;
   glslang::GlslangToSpv(*intermediate, compiled.words, &logger, &spirv_options);
+  if (hlsl) return legalized(std::move(compiled));
   return compiled;
 }
 

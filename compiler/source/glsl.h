@@ -1,4 +1,4 @@
-// GLSL to SPIR-V through glslang.
+// GLSL and HLSL (.hlsl) to SPIR-V through glslang.
 #pragma once
 
 #include <string>
