@@ -171,6 +171,7 @@ void addAnalyze(CLI::App& app, Words& words) {
   command->add_option("shader", words.analyze.shader, "GLSL or SPIR-V, - for standard input")->required();
   command->add_flag("--json", words.json, "JSON instead of text");
   command->add_flag("--all", words.analyze.all, "list the values that are no candidates one by one");
+  command->add_flag("--annotate", words.analyze.annotate, "the source with the share of cost of each line and the candidates in the margin");
   command->add_option("-I", words.includes, "directory for #include")->allow_extra_args(false);
   command->add_option("-D", words.defines, "NAME or NAME=VALUE")->allow_extra_args(false);
   command->add_option("--std", words.analyze.compile.standard, "GLSL version, such as 450");

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "cli/commands/annotate.h"
 #include "compiler/ir/prepare.h"
 #include "compiler/source/depfile.h"
 
@@ -33,6 +35,9 @@ std::string placeText(const Place& place) {
 
 nlohmann::json toJson(const Listing& listing) {
   nlohmann::json values = nlohmann::json::array();
+  const auto kept = static_cast<std::size_t>(
+      std::count_if(listing.candidates.begin(), listing.candidates.end(), [](const Candidate& candidate) { return candidate.kept(); }));
+  std::size_t rank = 0;
   for (const Candidate& candidate : listing.candidates) {
     nlohmann::json value = {{"id", candidate.id}, {"name", candidate.name}, {"operation", candidate.operation},
                             {"type", candidate.type}, {"file", candidate.place.file}, {"line", candidate.place.line},
@@ -40,6 +45,10 @@ nlohmann::json toJson(const Listing& listing) {
                             {"cost_share", candidate.share}, {"slice_cost", candidate.slice_cost},
                             {"inputs", inputNames(candidate, listing.analysis)}, {"conditional", candidate.conditional},
                             {"candidate", candidate.kept()}};
+    if (candidate.kept()) {
+      value["rank"] = ++rank;
+      value["ranked"] = rankText(candidate, rank, kept, listing.analysis);
+    }
     if (!candidate.kept()) value["reason"] = {{"code", candidate.dropped.code}, {"message", candidate.dropped.message}};
     values.push_back(std::move(value));
   }
@@ -105,6 +114,10 @@ Result<void> analyzeShader(const AnalyzeArguments& arguments, std::ostream& out)
   out << fmt::format("{}: cost {:.0f} (in scalar additions)\n", arguments.shader, analysis.total_cost);
   if (analysis.refusal) out << "no variant can be made: " << analysis.refusal->message << " [" << analysis.refusal->code << "]\n";
   out << '\n';
+  if (arguments.annotate) {
+    printAnnotated({shader, analysis, candidates, compiled.sources}, out);
+    return {};
+  }
   printCandidates(listing, out);
   printDropped(listing, arguments.all, out);
   return {};

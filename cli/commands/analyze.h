@@ -15,6 +15,7 @@ struct AnalyzeArguments {
   CompileOptions compile;    // stage is set to fragment
   bool json = false;
   bool all = false;          // list the values that are no candidates one by one, not only counted by reason
+  bool annotate = false;     // the source with costs and candidates in the margin instead of the lists
   std::string depfile;       // -MF, "" for none
 };
 
