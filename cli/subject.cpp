@@ -14,6 +14,7 @@ Result<CompiledShader> compileStage(const Scenario& scenario, const std::string&
   options.stage = stage;
   for (const std::string& directory : scenario.include_dirs) options.include_dirs.emplace_back(directory);
   options.defines = scenario.defines;
+  options.entry_point = stage == ShaderStage::kVertex ? scenario.vertex_entry_point : scenario.fragment_entry_point;
   return compile(path, options);
 }
 
@@ -45,6 +46,7 @@ Result<void> copyInputs(const Subject& subject, const std::filesystem::path& sce
   Scenario copy = subject.scenario;
   copy.vertex_path = (directory / "vertex.spv").string();
   copy.fragment_path = (directory / "fragment.spv").string();
+  copy.vertex_entry_point = copy.fragment_entry_point = "main";
   copy.include_dirs.clear();
   copy.defines.clear();
   REPRISE_TRY(writeFile(copy.vertex_path, bytesOf(subject.program.vertex_words)));

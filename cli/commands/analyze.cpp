@@ -101,9 +101,7 @@ Result<void> analyzeShader(const AnalyzeArguments& arguments, std::ostream& out)
     REPRISE_TRY(writeDepfile(arguments.depfile, arguments.shader, dependencies));
   }
   REPRISE_ASSIGN(const Module module, readModule(compiled.words));
-  // GLSL always ends up as "main"; a SPIR-V module with several entry points is told apart by name.
-  REPRISE_ASSIGN(const PreparedShader shader,
-                 prepareForCaching(module, module.entry_points.size() > 1 ? options.entry_point : ""));
+  REPRISE_ASSIGN(const PreparedShader shader, prepareForCaching(module, ""));
   const ShaderAnalysis analysis = analyse(shader);
   const std::vector<Candidate> candidates = enumerateCandidates(shader, analysis, compiled.sources, {});
   const Listing listing{shader, analysis, candidates};

@@ -4,7 +4,8 @@
 // be traced to its line (OpLine) and its name (OpName). HLSL is known by the suffix .hlsl and goes through glslang's other
 // front end: bindings are those of [[vk::binding]], else register numbers, where textures start at 16, samplers at 32 and storage
 // at 48, else the next free ones; SV_TargetN is location N. SPIR-V binaries are known by their magic number,
-// whatever the file is called, and pass through unchanged after validation; text of the SPIR-V assembler is
+// whatever the file is called, and pass through unchanged after validation, but for this: of several entry
+// points the wanted one is kept, and called main; text of the SPIR-V assembler is
 // known by the suffix .spvasm. All SPIR-V that leaves here has passed the validator.
 //
 // `#include "file"` and `#include <file>` work with and without GL_GOOGLE_include_directive. The quoted form
@@ -40,7 +41,8 @@ struct CompileOptions {
   std::optional<ShaderStage> stage;
   std::vector<std::filesystem::path> include_dirs;           // -I, in order
   std::vector<std::pair<std::string, std::string>> defines;  // -D name, value; the value may be empty
-  std::string entry_point = "main";                          // of SPIR-V and HLSL; GLSL always has main
+  // Of SPIR-V and HLSL; GLSL always has main. SPIR-V without a "main" gives its only entry point of the stage.
+  std::string entry_point = "main";
   // -std=: "450", "450core", "310es"; overrides the #version line. Empty: as the file says, 450 if it says
   // nothing.
   std::string standard;

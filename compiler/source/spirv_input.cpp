@@ -1,5 +1,6 @@
 #include "compiler/source/spirv_input.h"
 
+#include <algorithm>
 #include <cstring>
 #include <spirv/unified1/spirv.hpp11>
 #include <utility>
@@ -18,6 +19,7 @@ std::uint32_t swapped(std::uint32_t word) {
 
 struct FoundEntry {
   std::string name;
+  std::uint32_t function = 0;
   spv::ExecutionModel model = spv::ExecutionModel::Max;
 };
 
@@ -81,7 +83,7 @@ Result<std::vector<FoundEntry>> walk(const std::vector<std::uint32_t>& words, co
     if (opcode == spv::Op::OpFunctionEnd) function_open = false;
     if (opcode == spv::Op::OpEntryPoint && length > 3) {
       entries.push_back(
-          {literalString(words, at + 3, at + length), static_cast<spv::ExecutionModel>(words[at + 1])});
+          {literalString(words, at + 3, at + length), words[at + 2], static_cast<spv::ExecutionModel>(words[at + 1])});
     }
     at += length;
   }
@@ -95,17 +97,24 @@ Result<std::vector<FoundEntry>> walk(const std::vector<std::uint32_t>& words, co
   return entries;
 }
 
-Result<ShaderStage> chooseStage(const std::vector<FoundEntry>& entries, const std::string& file,
-                                const CompileOptions& options) {
+bool isStage(const FoundEntry& entry, ShaderStage stage) {
+  return entry.model == (stage == ShaderStage::kVertex ? spv::ExecutionModel::Vertex : spv::ExecutionModel::Fragment);
+}
+
+// The entry point by its name; where nobody asked for a name and none is called main, the only one of the stage.
+Result<FoundEntry> chooseEntry(const std::vector<FoundEntry>& entries, const std::string& file,
+                               const CompileOptions& options) {
   std::string listed;
-  std::optional<spv::ExecutionModel> found;
+  std::optional<FoundEntry> found;
   for (const FoundEntry& entry : entries) {
     listed += (listed.empty() ? "\"" : ", \"") + entry.name + "\" (" + stageText(entry.model) + ")";
     if (entry.name != options.entry_point) continue;
-    const bool wanted =
-        (entry.model == spv::ExecutionModel::Vertex && options.stage == ShaderStage::kVertex) ||
-        (entry.model == spv::ExecutionModel::Fragment && options.stage == ShaderStage::kFragment);
-    if (!found || wanted) found = entry.model;
+    if (!found || (options.stage && isStage(entry, *options.stage))) found = entry;
+  }
+  if (!found && options.entry_point == CompileOptions{}.entry_point && options.stage) {
+    const auto of_stage = [&](const FoundEntry& entry) { return isStage(entry, *options.stage); };
+    if (std::count_if(entries.begin(), entries.end(), of_stage) == 1)
+      found = *std::find_if(entries.begin(), entries.end(), of_stage);
   }
   if (!found) {
     return Error{ErrorKind::kInput,
@@ -115,14 +124,38 @@ Result<ShaderStage> chooseStage(const std::vector<FoundEntry>& entries, const st
                  {file, 0, 0}};
   }
   const std::string expected = options.stage ? nameOf(*options.stage) : "vertex or fragment";
-  const std::string text = stageText(*found);
+  const std::string text = stageText(found->model);
   if (text != expected && (options.stage || (text != "vertex" && text != "fragment"))) {
     return Error{ErrorKind::kInput,
                  "source.stage",
                  "found a " + text + " shader; expected a " + expected + " shader",
                  {file, 0, 0}};
   }
-  return *found == spv::ExecutionModel::Vertex ? ShaderStage::kVertex : ShaderStage::kFragment;
+  return *found;
+}
+
+// The module with this entry point alone, called main: what follows knows modules with one.
+std::vector<std::uint32_t> withOnlyEntry(const std::vector<std::uint32_t>& words, const FoundEntry& entry) {
+  constexpr std::uint32_t kMain[] = {0x6e69616du, 0};  // "main" and its end
+  std::vector<std::uint32_t> result(words.begin(), words.begin() + kHeaderWords);
+  for (std::size_t at = kHeaderWords; at < words.size(); at += words[at] >> 16) {
+    const std::size_t end = at + (words[at] >> 16);
+    const auto opcode = static_cast<spv::Op>(words[at] & 0xffffu);
+    const bool is_entry = opcode == spv::Op::OpEntryPoint;
+    const bool is_mode = opcode == spv::Op::OpExecutionMode || opcode == spv::Op::OpExecutionModeId;
+    if ((is_entry && (words[at + 2] != entry.function || words[at + 1] != static_cast<std::uint32_t>(entry.model))) ||
+        (is_mode && words[at + 1] != entry.function))
+      continue;
+    if (!is_entry) {
+      result.insert(result.end(), words.begin() + static_cast<std::ptrdiff_t>(at), words.begin() + static_cast<std::ptrdiff_t>(end));
+      continue;
+    }
+    const std::size_t interface = at + 3 + entry.name.size() / 4 + 1;
+    result.push_back(static_cast<std::uint32_t>(5 + end - interface) << 16 | static_cast<std::uint32_t>(opcode));
+    result.insert(result.end(), {words[at + 1], words[at + 2], kMain[0], kMain[1]});
+    result.insert(result.end(), words.begin() + static_cast<std::ptrdiff_t>(interface), words.begin() + static_cast<std::ptrdiff_t>(end));
+  }
+  return result;
 }
 
 }  // namespace
@@ -158,7 +191,9 @@ Result<CompiledShader> readSpirv(std::string_view bytes, const std::string& name
                  "the SPIR-V validator rejects the module: " + valid.error().message,
                  {name, 0, 0}};
   }
-  REPRISE_ASSIGN(shader.stage, chooseStage(entries, name, options));
+  REPRISE_ASSIGN(const FoundEntry entry, chooseEntry(entries, name, options));
+  shader.stage = entry.model == spv::ExecutionModel::Vertex ? ShaderStage::kVertex : ShaderStage::kFragment;
+  if (entries.size() > 1 || entry.name != "main") shader.words = withOnlyEntry(shader.words, entry);
   return shader;
 }
 

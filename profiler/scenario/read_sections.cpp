@@ -197,6 +197,8 @@ void readShader(const TomlNode& node, const fs::path& directory, Scenario& scena
   TableReader reader(node, "[shader]", diagnostics);
   scenario.fragment_path = readPath(reader, "fragment", directory);
   scenario.vertex_path = readPath(reader, "vertex", directory);
+  reader.readText("fragment_entry_point", scenario.fragment_entry_point);
+  reader.readText("vertex_entry_point", scenario.vertex_entry_point);
   if (const TomlNode* folders = reader.find("include_dirs")) {
     if (folders->kind != NodeKind::kArray) {
       diagnostics.add(

@@ -164,6 +164,7 @@ struct Scenario {
   std::string path;                 // of the TOML file, absolute
   std::string name;
   std::string fragment_path, vertex_path;  // absolute
+  std::string fragment_entry_point = "main", vertex_entry_point = "main";  // of SPIR-V and HLSL
   std::vector<std::string> include_dirs;
   std::vector<std::pair<std::string, std::string>> defines;
   std::uint32_t width = 640, height = 360;

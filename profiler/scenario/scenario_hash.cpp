@@ -10,6 +10,7 @@ Result<std::string> hashScenario(const Scenario& scenario) {
   Scenario bare = scenario;
   bare.name = "scenario";
   bare.fragment_path = bare.vertex_path = "shader";
+  bare.fragment_entry_point = bare.vertex_entry_point = "main";
   bare.include_dirs.clear();
   for (TextureSpec& texture : bare.textures) {
     if (texture.kind != TextureKind::kFile) continue;

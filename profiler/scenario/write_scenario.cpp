@@ -140,7 +140,9 @@ std::string relativePath(const std::string& path, const fs::path& directory) {
 
 std::string shaderText(const Scenario& scenario, const fs::path& directory) {
   std::string text = "\n[shader]\nfragment = " + relativePath(scenario.fragment_path, directory) +
-                     "\nvertex = " + relativePath(scenario.vertex_path, directory) + "\ninclude_dirs = [";
+                     "\nvertex = " + relativePath(scenario.vertex_path, directory) +
+                     "\nfragment_entry_point = " + quoted(scenario.fragment_entry_point) +
+                     "\nvertex_entry_point = " + quoted(scenario.vertex_entry_point) + "\ninclude_dirs = [";
   for (std::size_t i = 0; i < scenario.include_dirs.size(); ++i)
     text += (i > 0 ? ", " : "") + relativePath(scenario.include_dirs[i], directory);
   text += "]\ndefines = {";

@@ -99,6 +99,57 @@ TEST(SpirvInput, AMissingEntryPointListsThoseThatAreThere) {
   EXPECT_NE(shader.error().message.find("\"main\" (fragment)"), std::string::npos) << shader.error().message;
 }
 
+constexpr const char* kTwoEntries = R"(
+OpCapability Shader
+OpMemoryModel Logical GLSL450
+OpEntryPoint Fragment %first "first_of_two" %color
+OpEntryPoint Fragment %second "second" %color
+OpExecutionMode %first OriginUpperLeft
+OpExecutionMode %second OriginUpperLeft
+OpExecutionMode %second DepthReplacing
+OpDecorate %color Location 0
+%void = OpTypeVoid
+%function = OpTypeFunction %void
+%float = OpTypeFloat 32
+%pointer = OpTypePointer Output %float
+%color = OpVariable %pointer Output
+%one = OpConstant %float 1
+%first = OpFunction %void None %function
+%label = OpLabel
+OpStore %color %one
+OpReturn
+OpFunctionEnd
+%second = OpFunction %void None %function
+%other = OpLabel
+OpReturn
+OpFunctionEnd
+)";
+
+TEST(SpirvInput, KeepsTheWantedEntryPointAndCallsItMain) {
+  CompileOptions options;
+  for (const std::string name : {"first_of_two", "second"}) {
+    options.entry_point = name;
+    const Result<CompiledShader> shader = compileText(kTwoEntries, "two.frag.spvasm", options);
+    ASSERT_TRUE(shader.ok()) << formatError(shader.error());
+    EXPECT_TRUE(validateModule(shader->words).ok());
+    const std::string text = disassemble(shader->words);
+    EXPECT_NE(text.find("\"main\""), std::string::npos) << text;
+    EXPECT_EQ(text.find("\"" + name), std::string::npos) << text;
+    EXPECT_EQ(text.find("DepthReplacing") != std::string::npos, name == "second") << text;
+  }
+}
+
+TEST(SpirvInput, TakesTheOnlyEntryPointOfTheStageWhateverItIsCalled) {
+  std::string text = kTwoEntries;
+  CompileOptions options;
+  options.stage = ShaderStage::kFragment;
+  EXPECT_EQ(compileText(text, "two.frag.spvasm", options).error().code, "source.entry_point");
+  text.replace(text.find("OpEntryPoint Fragment %second \"second\" %color\n"), 46, "");
+  text.replace(text.find("OpExecutionMode %second OriginUpperLeft\nOpExecutionMode %second DepthReplacing\n"), 79, "");
+  const Result<CompiledShader> shader = compileText(text, "two.frag.spvasm", options);
+  EXPECT_TRUE(shader.ok()) << formatError(shader.error());
+}
+
 TEST(SpirvInput, OtherStagesAreNamed) {
   const Result<std::vector<std::uint32_t>> words = assemble(
       "OpCapability Shader\nOpMemoryModel Logical GLSL450\nOpEntryPoint GLCompute %main \"main\"\n"

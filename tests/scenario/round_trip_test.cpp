@@ -198,6 +198,7 @@ Scenario anyScenario(const fs::path& folder) {
   scenario.name = anyText();
   scenario.fragment_path = (folder / "a.frag").string();
   scenario.vertex_path = (folder / "a.vert").string();
+  if (*rc::gen::arbitrary<bool>()) scenario.fragment_entry_point = "PSMain", scenario.vertex_entry_point = "VSMain";
   if (*rc::gen::arbitrary<bool>()) scenario.include_dirs = {(folder / "common").string()};
   if (*rc::gen::arbitrary<bool>()) scenario.defines = {{"B", anyText()}, {"A", ""}, {"C", "1"}};
   scenario.width = *rc::gen::inRange(1u, 8193u);
