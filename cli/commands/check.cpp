@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "cli/check/run_modules.h"
+#include "compiler/strategies/strategy.h"
 #include "runtime/vulkan/context.h"
 
 namespace reprise {
@@ -40,6 +41,15 @@ Result<std::vector<std::string>> filesOf(const std::vector<std::string>& named) 
   return files;
 }
 
+Result<void> checkStrategy(const std::string& name) {
+  const Strategy* strategy = name.empty() ? nullptr : findStrategy(name);
+  if (name.empty() || (strategy != nullptr && strategy->selectable)) return {};
+  std::string known;
+  for (const Strategy& one : strategies())
+    if (one.selectable) known += (known.empty() ? "" : ", ") + one.name;
+  return Error{ErrorKind::kUsage, "strategy.unknown", "there is no strategy '" + name + "'; there are " + known, {}};
+}
+
 std::string lineOf(const ModuleVerdict& verdict) {
   std::string line = fmt::format("{}: {}", verdict.path, verdict.verdict == Verdict::kFailed ? "FAILED" : nameOf(verdict.verdict));
   if (verdict.verdict == Verdict::kVerified) {
@@ -53,6 +63,7 @@ std::string lineOf(const ModuleVerdict& verdict) {
 }  // namespace
 
 Result<bool> checkShaders(const CheckArguments& arguments, std::ostream& out) {
+  REPRISE_TRY(checkStrategy(arguments.request.strategy));
   REPRISE_ASSIGN(const std::vector<std::string> files, filesOf(arguments.shaders));
   {
     // Without a device nothing can be checked: said once, not for every module.

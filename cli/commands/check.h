@@ -23,7 +23,7 @@ struct CheckArguments {
 };
 
 // Prints a line for each module and a summary, or one JSON document. True if nothing failed, crashed or hung. Errors: file.missing
-// (kInput), device.none (kMachine), kInterrupted.
+// (kInput), strategy.unknown (kUsage), device.none (kMachine), kInterrupted.
 Result<bool> checkShaders(const CheckArguments& arguments, std::ostream& out);
 
 }  // namespace reprise

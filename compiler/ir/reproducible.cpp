@@ -22,8 +22,12 @@ bool hasZero(const Module& module, std::uint32_t type_id) {
     case Op::OpTypeInt:
     case Op::OpTypeFloat: return true;
     case Op::OpTypeVector:
-    case Op::OpTypeMatrix:
-    case Op::OpTypeArray: return hasZero(module, type->word(0));
+    case Op::OpTypeMatrix: return hasZero(module, type->word(0));
+    // SPIRV-Cross cannot read a zero of an array whose length is a specialization constant.
+    case Op::OpTypeArray: {
+      const Instruction* length = findGlobal(module, type->word(1));
+      return length != nullptr && length->opcode == Op::OpConstant && hasZero(module, type->word(0));
+    }
     case Op::OpTypeStruct:
       return std::all_of(type->operands.begin(), type->operands.end(), [&](const Operand& member) { return hasZero(module, member.words[0]); });
     default: return false;

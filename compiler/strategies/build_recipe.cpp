@@ -53,6 +53,9 @@ class RecipeBuilder {
       REPRISE_TRY(addModule("vertex", "vertex", program_.vertex_words));
     }
     for (const PassPlan& plan : strategy_.passes) REPRISE_TRY(addPass(plan));
+    if (static_cast<std::size_t>(attachments_) > kMostColorTargets)
+      return Error{ErrorKind::kRefused, "state.targets",
+                   fmt::format("'{}' needs {} colour targets for this shader; devices have {}", strategy_.name, attachments_, kMostColorTargets), {}};
     recipe().requirements.color_attachments = attachments_;
     return std::move(built_);
   }

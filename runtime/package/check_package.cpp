@@ -8,7 +8,7 @@
 namespace reprise {
 namespace {
 
-constexpr std::size_t kMaxPasses = 16, kMaxResources = 16, kMaxAttachments = 8, kMaxReads = 8, kMaxPrevious = 16,
+constexpr std::size_t kMaxPasses = 16, kMaxResources = 16, kMaxReads = 8, kMaxPrevious = 16,
                       kMaxModules = 64;
 constexpr std::uint32_t kMaxSet = 31, kMaxBlockBytes = 65536, kFirstReadBinding = 2, kFirstPreviousBinding = 16,
                         kMaxPreviousBinding = 64;
@@ -31,11 +31,11 @@ Result<void> checkModule(const Package& package, const Recipe& recipe, const std
 }
 
 Result<void> checkColors(const Package& package, const Recipe& recipe, const Pass& pass) {
-  if (pass.colors.size() > kMaxAttachments) return inconsistent("pass '" + pass.name + "' has too many attachments");
+  if (pass.colors.size() > kMostColorTargets) return inconsistent("pass '" + pass.name + "' has too many attachments");
   std::set<int> locations;
   std::set<std::string> targets;
   for (const ColorAttachment& color : pass.colors) {
-    if (color.location < 0 || color.location >= static_cast<int>(kMaxAttachments)) return inconsistent("an output location is out of range");
+    if (color.location < 0 || color.location >= static_cast<int>(kMostColorTargets)) return inconsistent("an output location is out of range");
     const bool is_app = color.resource.empty();
     if (is_app && (color.app_target < 0 || color.app_target >= static_cast<int>(package.interface.outputs.size())))
       return inconsistent("pass '" + pass.name + "' writes an application target that the shader does not have");

@@ -25,6 +25,7 @@
 namespace reprise {
 
 inline constexpr int kRecipeFormatVersion = 2;
+inline constexpr std::size_t kMostColorTargets = 8;  // of a pass; every desktop device has as many
 
 enum class PatternKind { kTiled, kRandom, kInterleaved };
 enum class Filter { kNearest, kBilinear };

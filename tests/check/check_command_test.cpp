@@ -50,6 +50,9 @@ TEST(CheckCommand, WhatIsNotThereIsRefused) {
   const CommandOutcome empty = runCommand({REPRISE_EXECUTABLE, "check", folder.path().string()});
   EXPECT_EQ(empty.status, 1);
   EXPECT_EQ(runCommand({REPRISE_EXECUTABLE, "check"}).status, 2);
+  const CommandOutcome strategy = runCommand({REPRISE_EXECUTABLE, "check", kShaders, "--strategy", "four_pass"});
+  EXPECT_EQ(strategy.status, 2);
+  EXPECT_NE(strategy.errors.find("two_pass_stencil"), std::string::npos) << strategy.all();
 }
 
 TEST(CheckCommand, NoDeviceIsSaidOnce) {

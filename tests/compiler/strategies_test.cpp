@@ -99,6 +99,26 @@ TEST_P(StrategyOn, TwoBuildsOfAVariantAreTheSameBytes) {
 INSTANTIATE_TEST_SUITE_P(Strategies, StrategyOn, testing::ValuesIn(shippedFragmentShaders()),
                          [](const auto& parameter) { return stemOf(parameter.param); });
 
+TEST(Recipe, MoreColourTargetsThanDevicesHaveAreRefused) {
+  std::string outputs, body;
+  for (int i = 0; i < 8; ++i) {
+    outputs += "layout(location = " + std::to_string(i) + ") out vec4 color" + std::to_string(i) + ";\n";
+    body += "  color" + std::to_string(i) + " = vec4(sin(place * " + std::to_string(i + 2) + ".0), 1.0);\n";
+  }
+  const CompiledShader fragment =
+      compiled("#version 450\nlayout(location = 0) in vec3 place;\n" + outputs + "void main() {\n" + body + "}\n", "test.frag");
+  const CompiledShader vertex = compiled("#version 450\nlayout(location = 0) in vec3 position;\nlayout(location = 0) out vec3 place;\n"
+                                         "void main() { place = position; gl_Position = vec4(position, 1.0); }\n", "test.vert");
+  const ShaderProgram program = readProgram(vertex, fragment).value();
+  CandidateOptions all;
+  all.least_share = 0;
+  const std::vector<Candidate> candidates = enumerateCandidates(*program.fragment, program.analysis, program.sources, all);
+  ASSERT_TRUE(candidates.front().kept());
+  const auto built = buildRecipe(program, candidates.front(), {}, {true, true});
+  ASSERT_FALSE(built.ok());
+  EXPECT_EQ(built.error().code, "state.targets");
+}
+
 TEST(Strategies, NamesAreUniqueAndFound) {
   std::set<std::string> names;
   for (const Strategy& strategy : strategies()) {
