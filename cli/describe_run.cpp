@@ -225,7 +225,8 @@ void describeAccepted(const Subject& subject, const Training& training, const Fi
   choice.p95_ms = known(run.binding.variant_p95_ms);
   choice.worst_ms = known(run.binding.variant_worst_ms);
   choice.hit_rate = run.hit_rate;
-  choice.cache_bytes_per_pixel = 2.0 * cacheLayout(candidate.channels, study.options.encoding).bytes_per_pixel;
+  const CacheLayout layout = cacheLayout(candidate.channels, study.options.encoding, isInteger(candidate.scalar));
+  choice.cache_bytes_per_pixel = 2.0 * layout.bytes_per_pixel;
   result.limit = {known(run.limit_ms), candidate.id};
 }
 

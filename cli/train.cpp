@@ -35,7 +35,8 @@ class Trainer {
       if (subject_.candidates[i].kept()) kept.push_back(i);
     REPRISE_TRY(probe(kept));
     for (const std::size_t candidate : kept)
-      if (training_.failed.count(candidate) == 0) addStudy(candidate, baseOptions(subject_, training_.ranges[candidate]));
+      if (training_.failed.count(candidate) == 0)
+        addStudy(candidate, baseOptions(subject_, training_.ranges[candidate], subject_.candidates[candidate]));
     REPRISE_TRY(measureStudies(0, studyPeriods()));
     REPRISE_TRY(timeCandidates());
     REPRISE_TRY(refine());
@@ -75,7 +76,7 @@ class Trainer {
     job.height = std::max(36u, measuring_.base.height / kProbeScale);
     std::vector<std::size_t> probed;
     for (const std::size_t candidate : kept) {
-      VariantOptions options = baseOptions(subject_, wideRanges());
+      VariantOptions options = baseOptions(subject_, wideRanges(), subject_.candidates[candidate]);
       options.strategy = "branch";
       options.encoding = Encoding::kRgba32f;
       const Result<StoredVariant> variant = storeVariant(workspace_, subject_.program, subject_.candidates[candidate], options, subject_.limits);
@@ -333,9 +334,12 @@ class Trainer {
       change(options);
       addStudy(base.candidate, options);
     };
-    alternative([](VariantOptions& options) { options.encoding = Encoding::kRgba8; });
-    alternative([](VariantOptions& options) { options.encoding = Encoding::kRgba16; });
-    alternative([](VariantOptions& options) { options.filter = Filter::kNearest; });
+    // Integers have one way to be kept and fetched, that of the base options.
+    if (!isInteger(subject_.candidates[base.candidate].scalar)) {
+      alternative([](VariantOptions& options) { options.encoding = Encoding::kRgba8; });
+      alternative([](VariantOptions& options) { options.encoding = Encoding::kRgba16; });
+      alternative([](VariantOptions& options) { options.filter = Filter::kNearest; });
+    }
     alternative([](VariantOptions& options) { options.pattern = PatternKind::kTiled; });
     alternative([](VariantOptions& options) { options.pattern = PatternKind::kRandom; });
     std::vector<std::uint32_t> periods;
@@ -363,12 +367,12 @@ class Trainer {
 
 }  // namespace
 
-VariantOptions baseOptions(const Subject& subject, const ValueRanges& ranges) {
+VariantOptions baseOptions(const Subject& subject, const ValueRanges& ranges, const Candidate& candidate) {
   VariantOptions options;
   options.pattern = PatternKind::kInterleaved;
   options.block_pixels = 16;
-  options.filter = Filter::kBilinear;
-  options.encoding = Encoding::kRgba16f;
+  options.filter = isInteger(candidate.scalar) ? Filter::kNearest : Filter::kBilinear;
+  options.encoding = isInteger(candidate.scalar) ? Encoding::kRgba32f : Encoding::kRgba16f;
   options.orthographic = subject.orthographic;
   options.ranges = ranges;
   return options;

@@ -35,6 +35,6 @@ Result<Training> train(const Subject& subject, const Workspace& workspace, const
                        Progress& progress);
 
 // The options of a variant of this subject in the base configuration, with the ranges seen.
-VariantOptions baseOptions(const Subject& subject, const ValueRanges& ranges);
+VariantOptions baseOptions(const Subject& subject, const ValueRanges& ranges, const Candidate& candidate = {});
 
 }  // namespace reprise

@@ -13,23 +13,6 @@ namespace {
 
 using spv::Op;
 
-struct FloatShape {
-  std::string name;
-  int channels = 0;  // 0: not a float type that can be kept
-};
-
-FloatShape floatShape(const Module& module, std::uint32_t type_id) {
-  const Instruction* type = findGlobal(module, type_id);
-  if (type == nullptr) return {};
-  if (type->opcode == Op::OpTypeFloat && type->word(0) == 32) return {"float", 1};
-  if (type->opcode == Op::OpTypeVector && type->word(1) <= 4) {
-    const Instruction* component = findGlobal(module, type->word(0));
-    if (component->opcode == Op::OpTypeFloat && component->word(0) == 32)
-      return {"vec" + std::to_string(type->word(1)), static_cast<int>(type->word(1))};
-  }
-  return {};
-}
-
 std::string operationName(const Instruction& instruction) {
   const char* name = spvOpcodeString(static_cast<std::uint32_t>(instruction.opcode));
   return name == nullptr ? "operation" : name;
@@ -97,7 +80,7 @@ struct Surroundings {
 DropReason firstReason(const Candidate& candidate, const Surroundings& around) {
   const Node& node = around.analysis.graph.nodes[static_cast<std::size_t>(candidate.node)];
   if (candidate.channels == 0)
-    return {"type.unsupported", "only 32-bit floats and vectors of them can be kept"};
+    return {"type.unsupported", "only 16- and 32-bit floats, 32-bit integers, booleans and vectors of them can be kept"};
   if (node.loop_depth > 0)
     return {"place.loop", "it is computed inside a loop, so one pixel has many of it"};
   if (!dependsOnPixel(candidate, around.analysis))
@@ -154,9 +137,10 @@ std::vector<Candidate> enumerateCandidates(const PreparedShader& shader, const S
     Candidate candidate;
     candidate.value = node.instruction->result_id;
     candidate.node = static_cast<int>(i);
-    const FloatShape shape = floatShape(shader.module, node.instruction->type_id);
-    candidate.channels = shape.channels;
-    candidate.type = shape.channels > 0 ? shape.name : "other";
+    const PayloadType type = payloadType(shader.module, node.instruction->type_id);
+    candidate.channels = type.channels;
+    candidate.scalar = type.scalar;
+    candidate.type = type.channels > 0 ? nameOf(type) : "other";
     candidate.inputs = analysis.inputs_of[i];
     describe(candidate, around, sources);
     candidate.dropped = firstReason(candidate, around);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "compiler/analysis/analyse.h"
+#include "compiler/ir/payload_type.h"
 #include "compiler/ir/prepare.h"
 
 namespace reprise {
@@ -20,7 +21,7 @@ struct DropReason {
 };
 
 // Reasons, in the order in which they are tested:
-//   type.unsupported     not a 32-bit float scalar or vector
+//   type.unsupported     not a scalar or vector that a payload can carry (payload_type.h)
 //   place.loop           computed inside a loop: one pixel has many of it
 //   value.uniform        depends on no varying and no built-in: the same all over the screen
 //   value.rearranged     a load, an extraction or a composition of other values
@@ -35,7 +36,8 @@ struct Candidate {
   std::string id;               // stable: name or operation and place: "albedo@marble.frag:31"
   std::string name;             // as in the source; "" where it has none
   std::string operation;        // "FMul", "ImageSampleImplicitLod"
-  std::string type;             // "float", "vec3"
+  std::string type;             // "float", "ivec3"
+  PayloadScalar scalar = PayloadScalar::kFloat;
   int channels = 1;             // 1..4
   Place place;
   double saved_cost = 0;

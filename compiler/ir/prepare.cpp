@@ -21,10 +21,11 @@ std::unordered_map<std::uint32_t, std::string> namesById(const Module& module) {
   return names;
 }
 
-std::unordered_set<std::uint32_t> floatTypes(const Module& module) {
+// Scalars and vectors of any width: those that cannot be kept are reported by name, too.
+std::unordered_set<std::uint32_t> namedTypes(const Module& module) {
   std::unordered_set<std::uint32_t> types;
   for (const Instruction& global : module.globals)
-    if (global.opcode == Op::OpTypeFloat ||
+    if (global.opcode == Op::OpTypeFloat || global.opcode == Op::OpTypeInt || global.opcode == Op::OpTypeBool ||
         (global.opcode == Op::OpTypeVector && types.count(global.word(0)) != 0))
       types.insert(global.result_id);
   return types;
@@ -69,7 +70,7 @@ Module nameStoredValues(const Module& module, std::uint32_t entry_function, cons
   Module named = module;
   const auto names = namesById(module);
   const auto types = resultTypes(module);
-  const auto floats = floatTypes(module);
+  const auto named_types = namedTypes(module);
   Function& function = *findFunction(named, entry_function);
   const auto variables = variablesOf(module, function);
   for (Block& block : function.blocks) {
@@ -78,7 +79,7 @@ Module nameStoredValues(const Module& module, std::uint32_t entry_function, cons
       const bool stores = instruction.opcode == Op::OpStore && variables.count(instruction.word(0)) != 0;
       const std::string name = stores ? storedName(instruction, names, on_lines) : "";
       const auto type = stores ? types.find(instruction.word(1)) : types.end();
-      if (!name.empty() && type != types.end() && floats.count(type->second) != 0) {
+      if (!name.empty() && type != types.end() && named_types.count(type->second) != 0) {
         const std::uint32_t copy = named.freshId();
         instructions.push_back(makeInstruction(Op::OpCopyObject, type->second, copy, {instruction.operands[1]}));
         instructions.back().line = instruction.line;

@@ -42,7 +42,8 @@ class RecipeBuilder {
  public:
   RecipeBuilder(const ShaderProgram& program, const Candidate& candidate, const VariantOptions& options, const Strategy& strategy)
       : program_(program), candidate_(candidate), options_(options), strategy_(strategy),
-        layout_(cacheLayout(std::max(candidate.channels, 1), options.encoding)), cache_location_(firstFreeOutput(program.interface)) {}
+        layout_(cacheLayout(std::max(candidate.channels, 1), options.encoding, isInteger(candidate.scalar))),
+        cache_location_(firstFreeOutput(program.interface)) {}
 
   Result<BuiltRecipe> build() {
     describeVariant();
@@ -111,6 +112,10 @@ class RecipeBuilder {
             {"CACHE_LOCATION", "0"},
             {"COUNT_LOCATION", "0"},
             {"CHANNELS", number(candidate_.channels)},
+            {"PAYLOAD_VEC", layout_.integer ? "uvec4" : "vec4"},
+            {"PAYLOAD_SAMPLER", layout_.integer ? "usampler2D" : "sampler2D"},
+            {"INTEGER", flag(layout_.integer)},
+            {"SIGNED", flag(candidate_.scalar == PayloadScalar::kInt)},
             {"NARROW", flag(layout_.narrow)},
             {"DEPTH_IN_ALPHA", flag(layout_.depth_in_alpha)},
             {"AFFINE", flag(layout_.affine)},
@@ -258,6 +263,10 @@ Result<BuiltRecipe> buildRecipe(const ShaderProgram& program, const Candidate& c
                  "'" + strategy->name + "' tells hits from misses by depth and needs a LESS or GREATER test with writes", {}};
   if (strategy->needs_stencil && !limits.stencil)
     return Error{ErrorKind::kRefused, "state.no_stencil", "'" + strategy->name + "' needs a depth target with stencil", {}};
+  if (strategy->caches && isInteger(candidate.scalar) && options.filter != Filter::kNearest)
+    return Error{ErrorKind::kRefused, "filter.integer",
+                 "'" + candidate.id + "' is of type " + candidate.type +
+                     ", which is kept bit by bit and cannot be interpolated; fetch it with the nearest filter", {}};
   return RecipeBuilder(program, candidate, options, *strategy).build();
 }
 

@@ -26,9 +26,7 @@ float depthStep(const CacheLayout& layout, Encoding encoding) {
   }
 }
 
-}  // namespace
-
-CacheLayout cacheLayout(int channels, Encoding encoding) {
+CacheLayout floatLayout(int channels, Encoding encoding) {
   CacheLayout layout;
   switch (encoding) {
     case Encoding::kRgba8:
@@ -53,6 +51,24 @@ CacheLayout cacheLayout(int channels, Encoding encoding) {
       layout.depth_format = ResourceFormat::kR32Sfloat;
       break;
   }
+  return layout;
+}
+
+CacheLayout integerLayout(int channels) {
+  CacheLayout layout;
+  layout.payload_format = channels == 1   ? ResourceFormat::kR32Uint
+                          : channels == 2 ? ResourceFormat::kRg32Uint
+                                          : ResourceFormat::kRgba32Uint;
+  layout.depth_in_alpha = false;
+  layout.depth_format = ResourceFormat::kR32Sfloat;
+  layout.integer = true;
+  return layout;
+}
+
+}  // namespace
+
+CacheLayout cacheLayout(int channels, Encoding encoding, bool integer) {
+  CacheLayout layout = integer ? integerLayout(channels) : floatLayout(channels, encoding);
   layout.bytes_per_pixel = bytesPerPixel(layout.payload_format) + (layout.depth_in_alpha ? 0 : bytesPerPixel(layout.depth_format));
   return layout;
 }

@@ -4,7 +4,8 @@
 // it has an image of its own, since 8 bits of depth confuse surfaces (law 10). A single channel of 16 bits shares a two-channel
 // image with its depth: half the memory of the four-channel format, and less to convert per fetch and store. rgba8 and rgba16
 // scale the payload into the range that training saw; what lies outside is stored invalid. Not every device renders to the
-// 16-bit unorm formats.
+// 16-bit unorm formats. Integers lie in UINT formats whatever the encoding; their depth has a float image of its
+// own, as a sampler's border is 0 for floats only.
 #pragma once
 
 #include <array>
@@ -24,11 +25,12 @@ struct CacheLayout {
   bool depth_in_alpha = true;                                // in the last channel of the payload's image
   ResourceFormat depth_format = ResourceFormat::kR16Sfloat;  // where not in alpha
   bool narrow = false;                                       // one channel of payload, depth in the second
+  bool integer = false;                                      // kept bit by bit
   bool affine = false;                                       // payload is scaled into [0, 1]
   int bytes_per_pixel = 8;                                   // of one history; two are held
 };
 
-CacheLayout cacheLayout(int channels, Encoding encoding);
+CacheLayout cacheLayout(int channels, Encoding encoding, bool integer = false);
 
 // How to encode with a layout. The depth tolerance is
 // quantization step + slope x footprint + relative epsilon, in stored units.

@@ -54,7 +54,8 @@ Result<PayloadBodies> makeBodies(const PreparedShader& shader, std::uint32_t val
   PayloadBodies bodies;
   bodies.module = shader.module;
   Module& module = bodies.module;
-  bodies.payload_variable = addSlot(module, vectorType(module, floatType(module), 4), "reprise_payload_slot");
+  const std::uint32_t value_type = value != 0 ? resultTypes(module).at(value) : floatType(module);
+  bodies.payload_variable = addSlot(module, payloadVectorType(module, value_type), "reprise_payload_slot");
   bodies.valid_variable = addSlot(module, uintType(module), "reprise_valid_slot");
   const std::uint32_t original = shader.entry_function;
   if (wanted.hit) {

@@ -11,7 +11,7 @@ namespace reprise {
 struct PayloadBodies {
   Module module;                       // its entry points are the bodies asked for
   std::uint32_t hit = 0, miss = 0;     // function ids; 0: not asked for
-  std::uint32_t payload_variable = 0;  // vec4
+  std::uint32_t payload_variable = 0;  // vec4, or uvec4 for integers
   std::uint32_t valid_variable = 0;    // uint; an interface variable cannot be bool
 };
 

@@ -104,7 +104,9 @@ class ImageRun {
     }
     if (const auto cache = player.resource("cache")) {
       REPRISE_ASSIGN(const auto bytes, readback_.read(*stage_.commands, {cache->image, cache->format, cache->extent, cache->layout}));
-      REPRISE_TRY(write(payloadImage(toFloats(bytes, cache->format), player.recipe().payload.front().channels, cached), "payload" + suffix));
+      const PayloadValue& payload = player.recipe().payload.front();
+      const std::vector<float> values = payloadFloats(bytes, cache->format, payload);
+      REPRISE_TRY(write(payloadImage(values, payload.channels, cached), "payload" + suffix));
     }
     return {};
   }

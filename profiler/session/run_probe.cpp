@@ -44,7 +44,7 @@ Result<std::vector<float>> readResource(Stage& stage, Readback& readback, const 
   const auto image = player.resource(name);
   if (!image) return std::vector<float>{};
   REPRISE_ASSIGN(const auto bytes, readback.read(*stage.commands, {image->image, image->format, image->extent, image->layout}));
-  return toFloats(bytes, image->format);
+  return payloadFloats(bytes, image->format, player.recipe().payload.front());
 }
 
 ProbeResult emptyProbe(std::size_t entry) {

@@ -76,6 +76,16 @@ Result<std::vector<std::uint8_t>> coveredPixels(const Stage& stage, Readback& re
   return covered;
 }
 
+std::vector<float> payloadFloats(std::span<const std::byte> bytes, VkFormat format, const PayloadValue& payload) {
+  if (!payload.type.starts_with("i")) return toFloats(bytes, format);
+  switch (format) {
+    case VK_FORMAT_R32_UINT: return toFloats(bytes, VK_FORMAT_R32_SINT);
+    case VK_FORMAT_R32G32_UINT: return toFloats(bytes, VK_FORMAT_R32G32_SINT);
+    case VK_FORMAT_R32G32B32A32_UINT: return toFloats(bytes, VK_FORMAT_R32G32B32A32_SINT);
+    default: return toFloats(bytes, format);
+  }
+}
+
 JobResult emptyResult(const Stage& stage) {
   JobResult result;
   const DeviceSummary& device = stage.context->summary();

@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "profiler/session/job.h"
@@ -38,6 +39,9 @@ Result<Player> createOriginalPlayer(const Stage& stage);
 
 // One byte per pixel: 1 where the frame that was rendered last drew something (its depth is not the clear value), else 0.
 Result<std::vector<std::uint8_t>> coveredPixels(const Stage& stage, Readback& readback);
+
+// What a payload's image holds, by value: signed integers lie in UINT images by their bits.
+std::vector<float> payloadFloats(std::span<const std::byte> bytes, VkFormat format, const PayloadValue& payload);
 
 // A result that says on which device it was made, and nothing else yet.
 JobResult emptyResult(const Stage& stage);

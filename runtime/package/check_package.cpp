@@ -58,6 +58,8 @@ Result<void> checkReads(const Recipe& recipe, const Pass& pass, const std::set<s
   for (const Read& read : pass.reads) {
     const Resource* resource = findResource(recipe, read.resource);
     if (resource == nullptr) return inconsistent("there is no resource '" + read.resource + "'");
+    if (isUint(resource->format) && read.filter != Filter::kNearest)
+      return inconsistent("pass '" + pass.name + "' filters the integers of '" + read.resource + "'");
     if (read.binding < kFirstReadBinding || read.binding >= kFirstPreviousBinding) return inconsistent("a read's binding is out of range");
     if (!bindings.insert(read.binding).second) return inconsistent("pass '" + pass.name + "' reads two images at one binding");
     const bool this_frame = read.current || resource->lifetime == Lifetime::kFrame;

@@ -30,13 +30,16 @@ constexpr std::array<std::pair<Filter, const char*>, 2> kFilters = {
     {{Filter::kNearest, "nearest"}, {Filter::kBilinear, "bilinear"}}};
 constexpr std::array<std::pair<Encoding, const char*>, 4> kEncodings = {
     {{Encoding::kRgba8, "rgba8"}, {Encoding::kRgba16, "rgba16"}, {Encoding::kRgba16f, "rgba16f"}, {Encoding::kRgba32f, "rgba32f"}}};
-constexpr std::array<std::pair<ResourceFormat, const char*>, 9> kFormats = {
+constexpr std::array<std::pair<ResourceFormat, const char*>, 12> kFormats = {
     {{ResourceFormat::kRgba8Unorm, "rgba8_unorm"},
      {ResourceFormat::kRg16Unorm, "rg16_unorm"},
      {ResourceFormat::kRgba16Unorm, "rgba16_unorm"},
      {ResourceFormat::kRg16Sfloat, "rg16_sfloat"},
      {ResourceFormat::kRgba16Sfloat, "rgba16_sfloat"},
      {ResourceFormat::kRgba32Sfloat, "rgba32_sfloat"},
+     {ResourceFormat::kR32Uint, "r32_uint"},
+     {ResourceFormat::kRg32Uint, "rg32_uint"},
+     {ResourceFormat::kRgba32Uint, "rgba32_uint"},
      {ResourceFormat::kR8Unorm, "r8_unorm"},
      {ResourceFormat::kR16Sfloat, "r16_sfloat"},
      {ResourceFormat::kR32Sfloat, "r32_sfloat"}}};
@@ -60,11 +63,19 @@ int bytesPerPixel(ResourceFormat format) {
     case ResourceFormat::kRg16Sfloat: return 4;
     case ResourceFormat::kRgba16Sfloat: return 8;
     case ResourceFormat::kRgba32Sfloat: return 16;
+    case ResourceFormat::kR32Uint: return 4;
+    case ResourceFormat::kRg32Uint: return 8;
+    case ResourceFormat::kRgba32Uint: return 16;
     case ResourceFormat::kR8Unorm: return 1;
     case ResourceFormat::kR16Sfloat: return 2;
     case ResourceFormat::kR32Sfloat: return 4;
   }
   return 0;
+}
+
+bool isUint(ResourceFormat format) {
+  return format == ResourceFormat::kR32Uint || format == ResourceFormat::kRg32Uint ||
+         format == ResourceFormat::kRgba32Uint;
 }
 
 }  // namespace reprise

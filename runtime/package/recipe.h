@@ -90,10 +90,14 @@ struct CacheConstants {
   float free_payload[4] = {};             // FrameUniforms::free_payload
 };
 
-enum class ResourceFormat { kRgba8Unorm, kRg16Unorm, kRgba16Unorm, kRg16Sfloat, kRgba16Sfloat, kRgba32Sfloat, kR8Unorm, kR16Sfloat, kR32Sfloat };
+enum class ResourceFormat {
+  kRgba8Unorm, kRg16Unorm, kRgba16Unorm, kRg16Sfloat, kRgba16Sfloat, kRgba32Sfloat,
+  kR32Uint, kRg32Uint, kRgba32Uint, kR8Unorm, kR16Sfloat, kR32Sfloat
+};
 const char* nameOf(ResourceFormat format);
 std::optional<ResourceFormat> resourceFormatOf(const std::string& name);
 int bytesPerPixel(ResourceFormat format);
+bool isUint(ResourceFormat format);  // read with nearest filters only
 
 // kFrame: content lives for one frame. kHistory: two images that swap roles every frame; attachments write this frame's,
 // reads see last frame's unless they say `current`. kPersistent: written rarely, kept (none yet).
@@ -104,7 +108,7 @@ struct Resource {
   ResourceFormat format = ResourceFormat::kRgba16Sfloat;
   float scale = 1;  // of the target's extent
   Lifetime lifetime = Lifetime::kFrame;
-  std::array<float, 4> clear = {0, 0, 0, 0};
+  std::array<float, 4> clear = {0, 0, 0, 0};  // of UINT formats the bits: only 0 is of use
   bool operator==(const Resource&) const = default;
 };
 
@@ -171,7 +175,7 @@ struct PreviousInput {
 
 struct PayloadValue {
   std::string name;
-  std::string type;  // "float", "vec3"
+  std::string type;  // "float", "ivec3"
   std::string file;
   int line = 0;
   int column = 0;

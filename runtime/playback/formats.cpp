@@ -10,6 +10,9 @@ VkFormat vulkanFormat(ResourceFormat format) {
     case ResourceFormat::kRg16Sfloat: return VK_FORMAT_R16G16_SFLOAT;
     case ResourceFormat::kRgba16Sfloat: return VK_FORMAT_R16G16B16A16_SFLOAT;
     case ResourceFormat::kRgba32Sfloat: return VK_FORMAT_R32G32B32A32_SFLOAT;
+    case ResourceFormat::kR32Uint: return VK_FORMAT_R32_UINT;
+    case ResourceFormat::kRg32Uint: return VK_FORMAT_R32G32_UINT;
+    case ResourceFormat::kRgba32Uint: return VK_FORMAT_R32G32B32A32_UINT;
     case ResourceFormat::kR8Unorm: return VK_FORMAT_R8_UNORM;
     case ResourceFormat::kR16Sfloat: return VK_FORMAT_R16_SFLOAT;
     case ResourceFormat::kR32Sfloat: return VK_FORMAT_R32_SFLOAT;

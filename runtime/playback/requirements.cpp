@@ -59,7 +59,8 @@ std::string missingFormat(const DeviceView& device, const Recipe& recipe) {
     VkFormatProperties format;
     device.fn.vkGetPhysicalDeviceFormatProperties(device.physical_device, vulkanFormat(resource.format), &format);
     VkFormatFeatureFlags wanted = VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT;
-    if (recipe.requirements.linear_filter && resource.lifetime == Lifetime::kHistory)
+    const bool may_be_filtered = resource.lifetime == Lifetime::kHistory && !isUint(resource.format);
+    if (recipe.requirements.linear_filter && may_be_filtered)
       wanted |= VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
     if ((format.optimalTilingFeatures & wanted) != wanted) return std::string("the device cannot render to and filter ") + nameOf(resource.format);
   }

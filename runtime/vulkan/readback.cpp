@@ -10,6 +10,7 @@ struct FormatShape {
   std::uint32_t channels = 0;
   std::uint32_t bytes = 0;  // of a channel
   bool unorm = false;
+  bool integer = false, is_signed = false;  // of 32 bits
 };
 
 FormatShape shapeOf(VkFormat format) {
@@ -24,9 +25,13 @@ FormatShape shapeOf(VkFormat format) {
     case VK_FORMAT_R16G16B16A16_SFLOAT: return {4, 2};
     case VK_FORMAT_R32_SFLOAT:
     case VK_FORMAT_D32_SFLOAT: return {1, 4};
-    case VK_FORMAT_R32G32B32A32_SINT:
-    case VK_FORMAT_R32G32B32A32_UINT:
     case VK_FORMAT_R32G32B32A32_SFLOAT: return {4, 4};
+    case VK_FORMAT_R32_UINT: return {1, 4, false, true};
+    case VK_FORMAT_R32G32_UINT: return {2, 4, false, true};
+    case VK_FORMAT_R32G32B32A32_UINT: return {4, 4, false, true};
+    case VK_FORMAT_R32_SINT: return {1, 4, false, true, true};
+    case VK_FORMAT_R32G32_SINT: return {2, 4, false, true, true};
+    case VK_FORMAT_R32G32B32A32_SINT: return {4, 4, false, true, true};
     default: return {};
   }
 }
@@ -46,9 +51,10 @@ float channelAt(const std::byte* at, const FormatShape& shape) {
     std::memcpy(&bits, at, 2);
     return shape.unorm ? static_cast<float>(bits) / 65535.0f : halfToFloat(bits);
   }
-  float value;
-  std::memcpy(&value, at, 4);
-  return value;
+  std::uint32_t bits;
+  std::memcpy(&bits, at, 4);
+  if (!shape.integer) return std::bit_cast<float>(bits);
+  return shape.is_signed ? static_cast<float>(static_cast<std::int32_t>(bits)) : static_cast<float>(bits);
 }
 
 }  // namespace

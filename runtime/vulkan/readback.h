@@ -32,7 +32,7 @@ class Readback {
   Buffer staging_;
 };
 
-// Texels as RGBA floats; formats with fewer channels give 0 for green and blue, 1 for alpha.
+// Texels as RGBA floats, integers by value; formats with fewer channels give 0 for green and blue, 1 for alpha.
 std::vector<float> toFloats(std::span<const std::byte> bytes, VkFormat format);
 
 }  // namespace reprise

@@ -37,14 +37,45 @@ TEST(Candidates, AUniformOnlyValueIsDropped) {
   EXPECT_EQ(reasonOf("float glow = exp(sin(p.x));\ncolor = glow * sin(p * scene.camera);", "glow"), "");
 }
 
-TEST(Candidates, IntegersAndMereRearrangementsAreDropped) {
+TEST(Candidates, MereRearrangementsAndWideTypesAreDropped) {
   const auto shader = analysedWhole(kHead + std::string("void main() {\nvec2 both = vec2(sin(p.x), cos(p.y));\n"
-                                                        "int steps = int(p.z);\ncolor = vec4(both, float(steps), 1.0) * q;\n}\n"));
+                                                        "double fine = double(p.z) * 3.0lf;\n"
+                                                        "color = vec4(both, float(fine), 1.0) * q;\n}\n"));
   EXPECT_EQ(shader->named("both").dropped.code, "value.rearranged");
-  const auto unsupported = std::count_if(shader->candidates.begin(), shader->candidates.end(), [](const Candidate& candidate) {
-    return candidate.dropped.code == "type.unsupported" && candidate.operation == "ConvertFToS";
-  });
-  EXPECT_EQ(unsupported, 1);
+  EXPECT_EQ(shader->named("fine").dropped.code, "type.unsupported");
+  EXPECT_EQ(shader->named("fine").type, "other");
+}
+
+struct KeptValue {
+  const char *statement, *use;
+  const char* type;
+  int channels;
+  bool integer;
+};
+
+TEST(Candidates, IntegersBooleansAndHalfFloatsCanBeKept) {
+  const KeptValue all[] = {
+      {"int kept_value = int(exp(sin(p.x)) * 9.0) * 7;", "float(kept_value * int(scene.camera.x))", "int", 1, true},
+      {"uvec3 kept_value = uvec3(exp(p.xyz)) * 5u;", "vec4(kept_value * uvec3(scene.camera), 1.0)", "uvec3", 3, true},
+      {"bvec2 kept_value = greaterThan(sin(exp(p.zw)), vec2(0.5));", "mix(scene.camera.xy, q.xy, kept_value).xyxy",
+       "bvec2", 2, true},
+      {"bool kept_value = sin(exp(p.z)) > 0.5;", "(kept_value ? scene.camera.x : 3.0)", "bool", 1, true},
+      {"f16vec2 kept_value = f16vec2(sin(p.xy)) * float16_t(3.0);", "vec2(kept_value * f16vec2(scene.camera)).xyxy",
+       "f16vec2", 2, false},
+      {"float16_t kept_value = float16_t(sin(p.x)) * float16_t(3.0);", "float(kept_value * float16_t(scene.camera.x))",
+       "float16_t", 1, false}};
+  std::string head = kHead;
+  head.insert(head.find('\n') + 1, "#extension GL_EXT_shader_explicit_arithmetic_types_float16 : require\n");
+  for (const KeptValue& one : all) {
+    SCOPED_TRACE(one.type);
+    const auto shader =
+        analysedWhole(head + "void main() {\n" + one.statement + "\ncolor = " + one.use + " * q;\n}\n");
+    const Candidate& candidate = shader->named("kept_value");
+    EXPECT_TRUE(candidate.kept()) << candidate.dropped.message;
+    EXPECT_EQ(candidate.type, one.type);
+    EXPECT_EQ(candidate.channels, one.channels);
+    EXPECT_EQ(isInteger(candidate.scalar), one.integer);
+  }
 }
 
 TEST(Candidates, ATextureCoordinateIsDroppedWhereTheSampleTakesItsDerivative) {

@@ -28,6 +28,9 @@ SubjectOfStrategies subjectOf(const std::string& file) {
   return subject;
 }
 
+// Integers are fetched nearest, whatever is tried with other payloads.
+Filter filterFor(const Candidate& candidate, Filter filter) { return isInteger(candidate.scalar) ? Filter::kNearest : filter; }
+
 // A refusal that is right: a depth prepass of a shader that discards.
 bool rightlyRefused(const Strategy& strategy, const ShaderProgram& program, const Error& error) {
   return strategy.name == "original_prepass" && program.analysis.discards && error.code == "state.prepass_discards";
@@ -43,6 +46,7 @@ TEST_P(StrategyOn, GivesValidModulesAndAConsistentPackage) {
       VariantOptions options;
       options.strategy = strategy.name;
       options.instrumented = instrumented;
+      options.filter = filterFor(subject.first(), options.filter);
       const Result<Package> package = buildPackage(subject.program, subject.first(), options, kAllows);
       if (!package.ok() && rightlyRefused(strategy, subject.program, package.error())) continue;
       ASSERT_TRUE(package.ok()) << formatError(package.error());
@@ -63,7 +67,7 @@ TEST_P(StrategyOn, EncodingsPatternsAndFiltersAllGiveConsistentPackages) {
       options.strategy = "branch";
       options.encoding = encoding;
       options.pattern = pattern;
-      options.filter = pattern == PatternKind::kTiled ? Filter::kNearest : Filter::kBilinear;
+      options.filter = filterFor(subject.first(), pattern == PatternKind::kTiled ? Filter::kNearest : Filter::kBilinear);
       options.instrumented = true;
       const Result<Package> package = buildPackage(subject.program, subject.first(), options, kAllows);
       ASSERT_TRUE(package.ok()) << nameOf(encoding) << " " << nameOf(pattern) << ": " << formatError(package.error());
@@ -75,7 +79,9 @@ TEST_P(StrategyOn, EveryKeptCandidateCanBeCached) {
   const SubjectOfStrategies subject = subjectOf(GetParam());
   for (const Candidate& candidate : subject.candidates) {
     if (!candidate.kept()) break;
-    const Result<BuiltRecipe> built = buildRecipe(subject.program, candidate, {}, kAllows);
+    VariantOptions options;
+    options.filter = filterFor(candidate, options.filter);
+    const Result<BuiltRecipe> built = buildRecipe(subject.program, candidate, options, kAllows);
     ASSERT_TRUE(built.ok()) << candidate.id << ": " << formatError(built.error());
     ASSERT_EQ(built->recipe.payload.size(), 1u);
     EXPECT_EQ(built->recipe.payload[0].type, candidate.type);
@@ -89,6 +95,7 @@ TEST_P(StrategyOn, TwoBuildsOfAVariantAreTheSameBytes) {
     VariantOptions options;
     options.strategy = strategy;
     options.instrumented = true;
+    options.filter = filterFor(one.first(), options.filter);
     const Package first = buildPackage(one.program, one.first(), options, kAllows).value();
     const Package second = buildPackage(two.program, two.first(), options, kAllows).value();
     EXPECT_EQ(first.modules, second.modules) << strategy;
@@ -149,6 +156,34 @@ TEST(Strategies, WhatTheStateForbidsIsRefused) {
     EXPECT_EQ(refusalOf(strategy.name, none), expected) << strategy.name;
   }
   EXPECT_EQ(refusalOf("branchy", kAllows), "strategy.unknown");
+}
+
+const Candidate& integerPayload(const SubjectOfStrategies& subject) {
+  const auto found = std::find_if(subject.candidates.begin(), subject.candidates.end(),
+                                  [](const Candidate& candidate) { return candidate.name == "key"; });
+  REPRISE_CHECK(found != subject.candidates.end() && found->kept(), "key");
+  return *found;
+}
+
+TEST(Strategies, AnIntegerPayloadIsFetchedNearestOnlyAndKeptInAUintFormat) {
+  const SubjectOfStrategies subject = subjectOf(std::string(REPRISE_SOURCE_DIR) + "/shaders/laws/integer/integer.frag");
+  const Candidate& key = integerPayload(subject);
+  EXPECT_EQ(key.type, "ivec2");
+  for (const Strategy& strategy : strategies()) {
+    VariantOptions options;
+    options.strategy = strategy.name;
+    options.filter = Filter::kBilinear;
+    const Result<BuiltRecipe> refused = buildRecipe(subject.program, key, options, kAllows);
+    EXPECT_EQ(refused.ok() ? "" : refused.error().code, strategy.caches ? "filter.integer" : "") << strategy.name;
+    options.filter = Filter::kNearest;
+    const Result<BuiltRecipe> built = buildRecipe(subject.program, key, options, kAllows);
+    ASSERT_TRUE(built.ok()) << strategy.name << ": " << formatError(built.error());
+    EXPECT_FALSE(built->recipe.requirements.linear_filter);
+    if (built->recipe.resources.empty()) continue;
+    EXPECT_EQ(built->recipe.resources[0].format, ResourceFormat::kRg32Uint);
+    EXPECT_EQ(built->recipe.resources[0].clear, (std::array<float, 4>{}));
+    EXPECT_EQ(built->recipe.resources[1].format, ResourceFormat::kR32Sfloat) << "depth";
+  }
 }
 
 TEST(Strategies, AShaderWithSideEffectsIsRefusedByAllThatCacheAndPlayedByTheOriginal) {
@@ -214,6 +249,18 @@ TEST(CacheLayout, RangesComeBackFromTheConstantsTheyMade) {
     EXPECT_NEAR(again.recipe.constants.payload_scale[i], built.recipe.constants.payload_scale[i], 1e-4) << i;
     EXPECT_NEAR(again.recipe.constants.payload_offset[i], built.recipe.constants.payload_offset[i], 1e-4) << i;
   }
+}
+
+TEST(CacheLayout, IntegersLieInUintFormatsWhateverTheEncoding) {
+  const ResourceFormat expected[] = {ResourceFormat::kR32Uint, ResourceFormat::kRg32Uint, ResourceFormat::kRgba32Uint,
+                                     ResourceFormat::kRgba32Uint};
+  for (const Encoding encoding : {Encoding::kRgba8, Encoding::kRgba16, Encoding::kRgba16f, Encoding::kRgba32f})
+    for (int channels = 1; channels <= 4; ++channels) {
+      const CacheLayout layout = cacheLayout(channels, encoding, true);
+      EXPECT_EQ(layout.payload_format, expected[channels - 1]);
+      EXPECT_FALSE(layout.depth_in_alpha || layout.affine || layout.narrow);
+      EXPECT_EQ(layout.bytes_per_pixel, bytesPerPixel(layout.payload_format) + 4);
+    }
 }
 
 TEST(CacheLayout, DepthHasAnImageOfItsOwnWhereAlphaIsTakenOrHasEightBits) {

@@ -139,6 +139,51 @@ TEST(Slice, EveryPayloadWidthMakesValidBodies) {
   }
 }
 
+struct Conversions {
+  const char* type;     // of the payload
+  const char* value;    // how it is computed
+  const char* use;      // what the colour takes from it
+  spv::Op pack, unpack; // in the miss body and in the hit body
+};
+
+TEST(Slice, OtherTypesThanFloatsAreConvertedOnTheirWay) {
+  using spv::Op;
+  const Conversions all[] = {
+      {"int", "int(sin(p.x) * 99.0) * 7", "float(vein)", Op::OpBitcast, Op::OpBitcast},
+      {"ivec4", "ivec4(sin(p) * 99.0) * 7", "vec4(vein)", Op::OpBitcast, Op::OpBitcast},
+      {"bool", "sin(p.x) > 0.5", "(vein ? 1.0 : 2.0)", Op::OpSelect, Op::OpINotEqual},
+      {"bvec3", "greaterThan(sin(p.xyz), p.yzw)", "vec4(vein, 1.0)", Op::OpSelect, Op::OpINotEqual},
+      {"bvec4", "greaterThan(sin(p), p.yzwx)", "vec4(vein)", Op::OpSelect, Op::OpINotEqual},
+      {"float16_t", "float16_t(sin(p.x)) * float16_t(3.0)", "exp(vein)", Op::OpFConvert, Op::OpFConvert},
+      {"f16vec3", "f16vec3(sin(p.xyz)) * float16_t(3.0)", "exp(vein.x)", Op::OpFConvert, Op::OpFConvert}};
+  for (const Conversions& one : all) {
+    SCOPED_TRACE(one.type);
+    const std::string head = "#version 450\n#extension GL_EXT_shader_explicit_arithmetic_types_float16 : require\n"
+                             "layout(location = 0) in vec4 p;\nlayout(location = 0) out vec4 color;\n";
+    const auto shader = analysedWhole(head + "void main() {\n  " + one.type + " vein = " + one.value + ";\n  color = " +
+                                      one.use + " * exp(p);\n}\n");
+    const PayloadBodies bodies = makeBodies(shader->shader, shader->named("vein").value, {true, true, true}).value();
+    const Result<void> valid = validateModule(writeModule(bodies.module));
+    EXPECT_TRUE(valid.ok()) << valid.error().message;
+    const Function &hit = functionOf(bodies, bodies.hit), &miss = functionOf(bodies, bodies.miss);
+    const Function& original = *findFunction(shader->shader.module, shader->shader.entry_function);
+    EXPECT_EQ(countOfExtended(hit, kSin), 0);
+    EXPECT_EQ(countOf(miss, one.pack), countOf(original, one.pack) + 1);
+    EXPECT_GE(countOf(hit, one.unpack), 1);
+    EXPECT_EQ(storesTo(miss, bodies.payload_variable), 1);
+  }
+}
+
+TEST(Slice, UnsignedIntegersTravelAsTheyAre) {
+  const auto shader = analysedWhole("#version 450\nlayout(location = 0) in vec4 p;\nlayout(location = 0) out vec4 color;\n"
+                                    "void main() {\n  uvec2 vein = uvec2(sin(p.xy) * 99.0) * 7u;\n"
+                                    "  color = vec4(vein, 0.0, 1.0) * exp(p);\n}\n");
+  const PayloadBodies bodies = makeBodies(shader->shader, shader->named("vein").value, {true, true, true}).value();
+  EXPECT_TRUE(validateModule(writeModule(bodies.module)).ok());
+  EXPECT_EQ(countOf(functionOf(bodies, bodies.hit), spv::Op::OpBitcast), 0);
+  EXPECT_EQ(countOf(functionOf(bodies, bodies.miss), spv::Op::OpBitcast), 0);
+}
+
 TEST(Clone, HasTheSameCodeUnderOtherIds) {
   const Module module = inlineCalls(moduleOf(kLoopShader)).value();
   const std::uint32_t original = module.entry_points.front().word(1);

@@ -122,6 +122,7 @@ const Contradiction kContradictions[] = {
     {"different attachments in a rendering", [](Recipe& recipe) { recipe.passes[1].colors.pop_back(); }},
     {"reads what it writes", [](Recipe& recipe) { recipe.passes[0].reads[0].current = true; }},
     {"reads before writing", [](Recipe& recipe) { recipe.resources[0].lifetime = Lifetime::kFrame; }},
+    {"filtered integers", [](Recipe& recipe) { recipe.resources[0].format = ResourceFormat::kRg32Uint; }},
     {"reads without a set", [](Recipe& recipe) { recipe.uses_reprise_set = false; }},
     {"rendering that comes back",
      [](Recipe& recipe) {

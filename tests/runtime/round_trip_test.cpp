@@ -46,6 +46,7 @@ std::vector<T> some(Make make) {
 Resource anyResource() {
   return {anyText(),
           oneOf({ResourceFormat::kRgba8Unorm, ResourceFormat::kRg16Unorm, ResourceFormat::kRgba16Unorm, ResourceFormat::kRg16Sfloat, ResourceFormat::kRgba16Sfloat, ResourceFormat::kRgba32Sfloat,
+                 ResourceFormat::kR32Uint, ResourceFormat::kRg32Uint, ResourceFormat::kRgba32Uint,
                  ResourceFormat::kR8Unorm, ResourceFormat::kR16Sfloat, ResourceFormat::kR32Sfloat}),
           anyFloat(), oneOf({Lifetime::kFrame, Lifetime::kHistory, Lifetime::kPersistent}), anyFloats()};
 }

@@ -157,6 +157,12 @@ TEST(ToFloats, HalfFloatsOfEveryKind) {
   EXPECT_EQ(rgba[3], 1);
 }
 
+TEST(ToFloats, IntegersAreTheirValues) {
+  const std::uint32_t words[] = {7, 0xfffffffeu};
+  EXPECT_EQ(toFloats(std::as_bytes(std::span(words)), VK_FORMAT_R32G32_UINT), (std::vector<float>{7, 4294967294.0f, 0, 1}));
+  EXPECT_EQ(toFloats(std::as_bytes(std::span(words)), VK_FORMAT_R32G32_SINT), (std::vector<float>{7, -2, 0, 1}));
+}
+
 TEST(ToFloats, BytesAreShares) {
   const std::uint8_t bytes[] = {0, 51, 255, 102};
   const std::vector<float> rgba = toFloats(std::as_bytes(std::span(bytes)), VK_FORMAT_R8G8B8A8_UNORM);

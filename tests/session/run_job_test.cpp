@@ -191,6 +191,30 @@ TEST_F(MeasuredVariant, ProbeFindsTheRangesOfPayloadAndDepth) {
   EXPECT_LT(probe.depth_max, 6.0f);
 }
 
+TEST(MeasuredIntegers, AreProbedWithTheirSignsAndPictured) {
+  const MeasuredScene scene("shaders/laws/integer/integer.toml");
+  VariantOptions options = countingVariant();
+  options.strategy = "branch";
+  options.filter = Filter::kNearest;
+  options.instrumented = false;
+  const std::string variant = scene.variant("probed", options, "key");
+  const Result<JobResult> probed = run(scene.job(JobKind::kProbe, {variant, 1}));
+  ASSERT_TRUE(probed.ok()) << formatError(probed.error());
+  const ProbeResult& probe = probed->probes.at(0);
+  EXPECT_EQ(probe.nonfinite_payload, 0u);
+  for (int channel = 0; channel < 2; ++channel) {
+    EXPECT_LT(probe.payload_min[channel], -1e9f);
+    EXPECT_GT(probe.payload_max[channel], 1e9f);
+  }
+  EXPECT_EQ(probe.payload_max[2], 0);
+  Job pictures = scene.job(JobKind::kImages, {variant, 4});
+  pictures.image_frame = 1;
+  pictures.image_dir = (scene.folder() / "images").string();
+  const Result<JobResult> drawn = run(pictures);
+  ASSERT_TRUE(drawn.ok()) << formatError(drawn.error());
+  EXPECT_TRUE(std::filesystem::exists(scene.folder() / "images" / "payload.png"));
+}
+
 TEST_F(MeasuredVariant, ImagesAreWritten) {
   Job job = scene_.job(JobKind::kImages, {variant_, 4});
   job.image_frame = 3;

@@ -7,10 +7,10 @@
 #include "count.glsl"
 
 void main() {
-  vec4 texel;
+  PAYLOAD_VEC texel;
   bool hit = repriseLookup(texel);
   reprise_payload_valid = 0u;
-  reprise_payload = hit ? repriseDecode(texel) : vec4(0.0);
+  reprise_payload = hit ? repriseDecode(texel) : PAYLOAD_VEC(0);
   if (hit) {
     reprise_hit();
     repriseCarry(texel);

@@ -5,11 +5,12 @@
 //
 // Depth is view-linear (clip w, or z for orthographic cameras), mapped to [1/16, 1]; 0 is "nothing valid here".
 // DEPTH_RANGE, PAYLOAD_SCALE, ...: struct CacheConstants of runtime/package/recipe.h.
+// PAYLOAD_VEC: vec4, or uvec4 for INTEGER payloads, which are kept bit by bit in an image of their own.
 // NARROW: one channel of payload and the depth beside it, in a two-channel format.
 #if NARROW
 layout(location = CACHE_LOCATION) out vec2 reprise_cache;
 #else
-layout(location = CACHE_LOCATION) out vec4 reprise_cache;
+layout(location = CACHE_LOCATION) out PAYLOAD_VEC reprise_cache;
 #endif
 #if !DEPTH_IN_ALPHA
 layout(location = CACHE_LOCATION + 1) out float reprise_cache_depth;
@@ -26,7 +27,10 @@ float repriseViewDepth() {
 }
 
 // False for NaN and infinity too. Only the channels that the payload has count.
-bool repriseStorable(vec4 encoded) {
+bool repriseStorable(PAYLOAD_VEC encoded) {
+#if INTEGER
+  return true;
+#else
   vec2 range = PAYLOAD_RANGE.xy;
 #if CHANNELS == 1
   bool high_enough = encoded.x >= range.x;
@@ -42,9 +46,10 @@ bool repriseStorable(vec4 encoded) {
   bool low_enough = all(lessThanEqual(encoded, range.yyyy));
 #endif
   return high_enough && low_enough;
+#endif
 }
 
-vec4 repriseEncode(vec4 payload) {
+PAYLOAD_VEC repriseEncode(PAYLOAD_VEC payload) {
 #if AFFINE
   return payload * PAYLOAD_SCALE + PAYLOAD_OFFSET;
 #else
@@ -52,7 +57,7 @@ vec4 repriseEncode(vec4 payload) {
 #endif
 }
 
-vec4 repriseDecode(vec4 encoded) {
+PAYLOAD_VEC repriseDecode(PAYLOAD_VEC encoded) {
 #if AFFINE
   return (encoded - PAYLOAD_OFFSET) * (1.0 / PAYLOAD_SCALE);
 #else
@@ -60,7 +65,7 @@ vec4 repriseDecode(vec4 encoded) {
 #endif
 }
 
-void repriseWrite(vec4 encoded, float depth) {
+void repriseWrite(PAYLOAD_VEC encoded, float depth) {
 #if NARROW
   reprise_cache = vec2(encoded.x, depth);
 #elif DEPTH_IN_ALPHA
@@ -80,15 +85,15 @@ float repriseKeptDepth() {
 
 // A payload computed now. KEEP_RAW: a later pass of this frame reads the payload back, so it is stored even where it is not fit
 // to be reused.
-void repriseStore(vec4 payload, bool valid) {
-  vec4 encoded = repriseEncode(payload);
+void repriseStore(PAYLOAD_VEC payload, bool valid) {
+  PAYLOAD_VEC encoded = repriseEncode(payload);
   bool storable = repriseStorable(encoded);
   valid = valid && storable;
 #if !KEEP_RAW
-  encoded = valid ? encoded : vec4(0.0);
+  encoded = valid ? encoded : PAYLOAD_VEC(0);
 #endif
   repriseWrite(encoded, valid ? repriseKeptDepth() : 0.0);
 }
 
 // A hit's texel goes on as it was fetched: it was fit to be stored once, and encoding it anew could only round it out of range.
-void repriseCarry(vec4 texel) { repriseWrite(texel, repriseKeptDepth()); }
+void repriseCarry(PAYLOAD_VEC texel) { repriseWrite(texel, repriseKeptDepth()); }

@@ -5,13 +5,13 @@
 // and depth alike: a footprint across a depth edge gives a depth that matches no surface, hence a miss. So does what lies
 // outside the image, where the sampler's border is 0, and what lies outside the viewport, where nothing was drawn.
 layout(location = PREVIOUS_LOCATION) in vec3 reprise_previous;
-layout(set = REPRISE_SET, binding = 2) uniform sampler2D reprise_history;
+layout(set = REPRISE_SET, binding = 2) uniform PAYLOAD_SAMPLER reprise_history;
 #if !DEPTH_IN_ALPHA
 layout(set = REPRISE_SET, binding = 3) uniform sampler2D reprise_history_depth;
 #endif
 
 // texel: what the history holds, encoded; meaningless for a miss.
-bool repriseLookup(out vec4 texel) {
+bool repriseLookup(out PAYLOAD_VEC texel) {
   float depth = reprise_previous.z;
 #if ORTHOGRAPHIC
   vec2 at = reprise_previous.xy;
@@ -56,13 +56,17 @@ bool repriseLookup(out vec4 texel) {
   hit = miss == 0.0;
 #endif
 #if POISONED
-  // For tests: hits get what no shader computed, and keep their depth.
+  // For tests: hits get what no shader computed, and keep their depth. Integers stay near: they may bound a loop.
+#if INTEGER
+  texel ^= 1u;
+#else
   vec4 clean = texel;
   texel = texel * -3.0 + 7.5;
 #if NARROW
   texel.g = clean.g;
 #elif DEPTH_IN_ALPHA
   texel.a = clean.a;
+#endif
 #endif
 #endif
   return hit;

@@ -7,7 +7,7 @@
 #include "count.glsl"
 
 void main() {
-  vec4 texel;
+  PAYLOAD_VEC texel;
   if (!repriseLookup(texel)) discard;
   reprise_payload = repriseDecode(texel);
   reprise_hit();

@@ -6,7 +6,7 @@
 
 void main() {
   reprise_payload_valid = 0u;
-  reprise_payload = vec4(0.0);
+  reprise_payload = PAYLOAD_VEC(0);
   reprise_miss();
   repriseStore(reprise_payload, reprise_payload_valid != 0u);
   repriseCount(false);

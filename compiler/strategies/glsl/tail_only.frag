@@ -3,6 +3,10 @@
 #include "body.glsl"
 
 void main() {
-  reprise_payload = reprise.free_payload;
+#if SIGNED
+  reprise_payload = PAYLOAD_VEC(ivec4(reprise.free_payload));
+#else
+  reprise_payload = PAYLOAD_VEC(reprise.free_payload);
+#endif
   reprise_hit();
 }
