@@ -128,15 +128,23 @@ Result<Bench> openBench(const Subject& subject, const Workspace& workspace, cons
 
 struct Validated {
   std::vector<ValidationAttempt> attempts;
-  bool accepted = false;  // the last attempt
+  std::optional<std::size_t> accepted;  // index into attempts
+
+  const ValidationAttempt& chosen() const { return attempts[accepted.value()]; }
+  const ValidationAttempt& shown() const { return accepted ? chosen() : attempts.back(); }
 };
 
-// In predicted order; the first that keeps its word is taken (law 7).
+// In predicted order. The first that keeps the threshold and is faster is taken (law 7), unless it is much slower than predicted: then its
+// model was wrong, and the next ones get their turn as long as more is predicted of them than was measured.
 Result<Validated> validateInOrder(const Subject& subject, const Workspace& workspace, const Measuring& measuring, const Training& training,
                                   const FittedTraining& fitted, const Selection& selection, const TrainOptions& options, Progress& progress) {
   Validated validated;
   for (const TradeoffPoint& point : selection.ranking) {
     if (validated.attempts.size() == kMostAttempts) break;
+    if (validated.accepted) {
+      const ValidationAttempt& best = validated.chosen();
+      if (!worthAnother({best.point.predicted_speedup, best.run.binding.ratio}, point.predicted_speedup)) break;
+    }
     const ErrorStudy& study = training.errors[training.costs[fitted.cost_study[point.configuration]].error_study];
     ValidationPlan plan;
     plan.candidate = study.candidate;
@@ -149,9 +157,11 @@ Result<Validated> validateInOrder(const Subject& subject, const Workspace& works
     plan.cpu_clock = options.cpu_clock;
     REPRISE_ASSIGN(ValidationRun run, validateChoice(subject, workspace, measuring, plan, progress));
     validated.attempts.push_back({point.configuration, point, std::move(run)});
-    validated.accepted = validated.attempts.back().run.judgement.accepted;
-    progress.say(fmt::format("  {}", validated.attempts.back().run.judgement.reason));
-    if (validated.accepted) break;
+    const ValidationAttempt& last = validated.attempts.back();
+    progress.say(fmt::format("  {}", last.run.judgement.reason));
+    if (last.run.judgement.accepted &&
+        (!validated.accepted || last.run.binding.ratio > validated.chosen().run.binding.ratio))
+      validated.accepted = validated.attempts.size() - 1;
   }
   return validated;
 }
@@ -162,7 +172,7 @@ Result<Package> packageOfChoice(const Subject& subject, const Training& training
   options.strategy = "original";
   std::size_t candidate = 0;
   if (validated.accepted) {
-    const ValidationAttempt& attempt = validated.attempts.back();
+    const ValidationAttempt& attempt = validated.chosen();
     const ErrorStudy& study = training.errors[training.costs[fitted.cost_study[attempt.configuration]].error_study];
     candidate = study.candidate;
     options = study.options;
@@ -179,7 +189,7 @@ Result<Package> packageOfChoice(const Subject& subject, const Training& training
 Result<void> makeImages(const Subject& subject, const Workspace& workspace, const Measuring& measuring, const Training& training,
                         const FittedTraining& fitted, const Validated& validated, RunResult& result) {
   if (!validated.accepted) return {};
-  const ValidationAttempt& attempt = validated.attempts.back();
+  const ValidationAttempt& attempt = validated.chosen();
   const ErrorStudy& study = training.errors[training.costs[fitted.cost_study[attempt.configuration]].error_study];
   VariantOptions options = study.options;
   options.strategy = fitted.input.configurations[attempt.configuration].strategy;
@@ -232,7 +242,7 @@ void describeOriginal(const Training& training, const FittedTraining& fitted, co
   const auto known = [](double value) { return std::isfinite(value) ? std::optional<double>(value) : std::nullopt; };
   result.original = {known(medianOf(clock)), known(medianOf(wall)), known(medianOf(prepass))};
   if (!validated.attempts.empty()) {
-    const ValidationRun& run = validated.attempts.back().run;
+    const ValidationRun& run = validated.shown().run;
     if (std::isfinite(run.original_ms)) result.original = {known(run.original_ms), known(run.original_wall_ms), known(run.prepass_ms)};
   }
   if (validated.accepted) return;
@@ -285,8 +295,8 @@ Result<RunResult> optimize(const OptimizeArguments& arguments, Progress& progres
   result.warnings = training.warnings;
   result.not_reached = training.not_reached;
   for (const ValidationAttempt& attempt : validated.attempts) result.attempts.push_back(describeAttempt(fitted, attempt));
-  if (validated.accepted) describeAccepted(subject, training, fitted, validated.attempts.back(), result);
-  if (!validated.attempts.empty()) result.validation = describeSessions(validated.attempts.back().run, arguments.metric);
+  if (validated.accepted) describeAccepted(subject, training, fitted, validated.chosen(), result);
+  if (!validated.attempts.empty()) result.validation = describeSessions(validated.shown().run, arguments.metric);
   describeOriginal(training, fitted, selection, validated, result);
   REPRISE_TRY(makeImages(subject, workspace, bench.measuring, training, fitted, validated, result));
   REPRISE_ASSIGN(const Package package, packageOfChoice(subject, training, fitted, validated));

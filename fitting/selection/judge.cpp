@@ -50,4 +50,8 @@ Judgement judge(const ValidationResult& result, double threshold) {
               intervalText(result.binding) + " by " + clock + " and " + intervalText(result.wall) + " by wall time"};
 }
 
+bool worthAnother(const Promise& accepted, double next_predicted_speedup) {
+  return accepted.measured_speedup < kPromiseKept * accepted.predicted_speedup && next_predicted_speedup > accepted.measured_speedup;
+}
+
 }  // namespace reprise

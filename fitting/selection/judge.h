@@ -28,4 +28,12 @@ struct Judgement {
 // above 1. What was not measured (NaN, no pairs) is never accepted.
 Judgement judge(const ValidationResult& result, double threshold);
 
+// Whether to validate one more after a variant was accepted: it reached less than kPromiseKept of the speed-up that was predicted of
+// it, and of the next more is predicted than it reached.
+inline constexpr double kPromiseKept = 0.9;
+struct Promise {
+  double predicted_speedup = 1, measured_speedup = 1;
+};
+bool worthAnother(const Promise& accepted, double next_predicted_speedup);
+
 }  // namespace reprise

@@ -80,5 +80,11 @@ RC_GTEST_PROP(Judge, NeverBreaksItsWord, ()) {
   RC_ASSERT(judge(result, threshold).accepted == keeps_word);
 }
 
+TEST(Promise, OneThatIsKeptEndsTheSearch) { EXPECT_FALSE(worthAnother({2.0, 1.9}, 1.99)); }
+
+TEST(Promise, ABrokenOneGivesTheNextItsTurn) { EXPECT_TRUE(worthAnother({2.4, 1.9}, 2.3)); }
+
+TEST(Promise, NobodyIsAskedWhoPromisesLess) { EXPECT_FALSE(worthAnother({2.4, 1.9}, 1.8)); }
+
 }  // namespace
 }  // namespace reprise
