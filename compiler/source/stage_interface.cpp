@@ -20,46 +20,18 @@ Error unsupported(const std::string& message) {
 }
 
 std::string typeText(const SPIRType& type) {
-  std::string scalar;
-  std::string prefix;
+  std::string scalar, prefix;
   switch (type.basetype) {
-    case SPIRType::Float:
-      scalar = "float";
-      break;
-    case SPIRType::Int:
-      scalar = "int";
-      prefix = "i";
-      break;
-    case SPIRType::UInt:
-      scalar = "uint";
-      prefix = "u";
-      break;
-    case SPIRType::Double:
-      scalar = "double";
-      prefix = "d";
-      break;
-    case SPIRType::Half:
-      scalar = "float16_t";
-      prefix = "f16";
-      break;
-    case SPIRType::Int64:
-      scalar = "int64_t";
-      prefix = "i64";
-      break;
-    case SPIRType::UInt64:
-      scalar = "uint64_t";
-      prefix = "u64";
-      break;
-    case SPIRType::Short:
-      scalar = "int16_t";
-      prefix = "i16";
-      break;
-    case SPIRType::UShort:
-      scalar = "uint16_t";
-      prefix = "u16";
-      break;
-    default:
-      return "an unknown type";
+    case SPIRType::Float: scalar = "float"; break;
+    case SPIRType::Int: scalar = "int", prefix = "i"; break;
+    case SPIRType::UInt: scalar = "uint", prefix = "u"; break;
+    case SPIRType::Double: scalar = "double", prefix = "d"; break;
+    case SPIRType::Half: scalar = "float16_t", prefix = "f16"; break;
+    case SPIRType::Int64: scalar = "int64_t", prefix = "i64"; break;
+    case SPIRType::UInt64: scalar = "uint64_t", prefix = "u64"; break;
+    case SPIRType::Short: scalar = "int16_t", prefix = "i16"; break;
+    case SPIRType::UShort: scalar = "uint16_t", prefix = "u16"; break;
+    default: return "an unknown type";
   }
   return type.vecsize == 1 ? scalar : prefix + "vec" + std::to_string(type.vecsize);
 }
