@@ -108,7 +108,8 @@ Result<ValueRanges> probeRanges(const Bench& bench, const Subject& subject, cons
   ValueRanges ranges;
   ranges.depth_near = probe.depth_min * 0.5f;
   ranges.depth_far = probe.depth_max * 1.5f;
-  for (std::size_t channel = 0; channel < 4; ++channel) ranges.payload_min[channel] = probe.payload_min[channel], ranges.payload_max[channel] = probe.payload_max[channel];
+  ranges.payload_min = probe.payload_min;
+  ranges.payload_max = probe.payload_max;
   return ranges;
 }
 

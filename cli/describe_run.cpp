@@ -199,8 +199,10 @@ void describeAccepted(const Subject& subject, const Training& training, const Fi
   choice.kind = ChoiceKind::kVariant;
   choice.reason = run.judgement.reason;
   choice.candidate_id = candidate.id;
-  choice.payload = {{candidate.name.empty() ? candidate.id : candidate.name, candidate.type, candidate.place.file, candidate.place.line,
-                     candidate.place.column}};
+  for (const CandidateValue& value : candidate.values) {
+    const std::string unnamed = candidate.values.size() == 1 ? candidate.id : value.operation;
+    choice.payload.push_back({value.name.empty() ? unnamed : value.name, value.type, value.place.file, value.place.line, value.place.column});
+  }
   choice.strategy = configuration.strategy;
   choice.pattern = configuration.pattern;
   choice.filter = configuration.filter;

@@ -109,7 +109,7 @@ class Trainer {
     const auto [entry, fresh] = merged.emplace(candidate, probe);
     if (fresh) return;
     ProbeResult& all = entry->second;
-    for (int channel = 0; channel < 4; ++channel) {
+    for (std::size_t channel = 0; channel < kMostPayloadChannels; ++channel) {
       all.payload_min[channel] = std::min(all.payload_min[channel], probe.payload_min[channel]);
       all.payload_max[channel] = std::max(all.payload_max[channel], probe.payload_max[channel]);
     }
@@ -141,7 +141,7 @@ class Trainer {
       ranges.depth_near = std::max(near, probe.depth_min * 0.5f);
       ranges.depth_far = std::min(far, probe.depth_max * 1.5f);
     }
-    for (std::size_t channel = 0; channel < 4; ++channel) {
+    for (std::size_t channel = 0; channel < kMostPayloadChannels; ++channel) {
       const float margin = (probe.payload_max[channel] - probe.payload_min[channel]) * kRangeMargin;
       ranges.payload_min[channel] = probe.payload_min[channel] - margin;
       ranges.payload_max[channel] = probe.payload_max[channel] + margin;

@@ -33,6 +33,14 @@ std::string placeText(const Place& place) {
   return fmt::format("{}:{}:{}", place.file, place.line, place.column);
 }
 
+nlohmann::json valuesJson(const Candidate& candidate) {
+  nlohmann::json values = nlohmann::json::array();
+  for (const CandidateValue& value : candidate.values)
+    values.push_back({{"name", value.name}, {"operation", value.operation}, {"type", value.type}, {"file", value.place.file},
+                      {"line", value.place.line}, {"column", value.place.column}});
+  return values;
+}
+
 nlohmann::json toJson(const Listing& listing) {
   nlohmann::json values = nlohmann::json::array();
   const auto kept = static_cast<std::size_t>(
@@ -41,10 +49,11 @@ nlohmann::json toJson(const Listing& listing) {
   for (const Candidate& candidate : listing.candidates) {
     nlohmann::json value = {{"id", candidate.id}, {"name", candidate.name}, {"operation", candidate.operation},
                             {"type", candidate.type}, {"file", candidate.place.file}, {"line", candidate.place.line},
-                            {"column", candidate.place.column}, {"saved_cost", candidate.saved_cost},
+                            {"column", candidate.place.column}, {"channels", candidate.channels}, {"saved_cost", candidate.saved_cost},
                             {"cost_share", candidate.share}, {"slice_cost", candidate.slice_cost},
                             {"inputs", inputNames(candidate, listing.analysis)}, {"conditional", candidate.conditional},
                             {"candidate", candidate.kept()}};
+    if (candidate.values.size() > 1) value["values"] = valuesJson(candidate);
     if (candidate.kept()) {
       value["rank"] = ++rank;
       value["ranked"] = rankText(candidate, rank, kept, listing.analysis);
@@ -59,13 +68,13 @@ nlohmann::json toJson(const Listing& listing) {
 }
 
 void printCandidates(const Listing& listing, std::ostream& out) {
-  out << fmt::format("{:<24} {:<6} {:>8} {:>7}  {}\n", "candidate", "type", "saves", "share", "place");
+  out << fmt::format("{:<24} {:<12} {:>8} {:>7}  {}\n", "candidate", "type", "saves", "share", "place");
   for (const Candidate& candidate : listing.candidates) {
     if (!candidate.kept()) continue;
-    out << fmt::format("{:<24} {:<6} {:>8.0f} {:>6.1f}%  {}\n", titleOf(candidate), candidate.type, candidate.saved_cost,
+    out << fmt::format("{:<24} {:<12} {:>8.0f} {:>6.1f}%  {}\n", titleOf(candidate), candidate.type, candidate.saved_cost,
                        candidate.share * 100, placeText(candidate.place));
     out << fmt::format("    depends on {}{}\n", joined(inputNames(candidate, listing.analysis)),
-                       candidate.conditional ? "; computed on some paths only" : "");
+                       candidate.conditional ? "; computed on some paths only, and guarded" : "");
   }
 }
 

@@ -27,7 +27,7 @@ std::string rankText(const Candidate& candidate, std::size_t rank, std::size_t c
   for (const std::string& input : inputNames(candidate, analysis)) inputs += (inputs.empty() ? "" : ", ") + input;
   return fmt::format("{} of {}: a hit saves {:.1f}% of the cost; {} channel{}; changes with {}{}", ordinal(rank), count, candidate.share * 100,
                      candidate.channels, candidate.channels == 1 ? "" : "s", inputs,
-                     candidate.conditional ? "; computed on some paths only, the others always miss" : "");
+                     candidate.conditional ? "; computed on some paths only, and guarded" : "");
 }
 
 void printAnnotated(const AnnotatedShader& annotated, std::ostream& out) {

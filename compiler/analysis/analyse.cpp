@@ -157,6 +157,33 @@ std::optional<Error> findRefusal(const PreparedShader& shader, const ShaderAnaly
   return std::nullopt;
 }
 
+// Discards, and stores to built-in outputs: depth, sample mask, stencil reference.
+bool decidesCoverage(const Module& module, const ValueGraph& graph, std::size_t node) {
+  const Instruction& instruction = *graph.nodes[node].instruction;
+  if (instruction.opcode == Op::OpKill || instruction.opcode == Op::OpTerminateInvocation ||
+      instruction.opcode == Op::OpDemoteToHelperInvocation)
+    return true;
+  if (instruction.opcode != Op::OpStore || !graph.nodes[node].root) return false;
+  std::uint32_t pointer = instruction.word(0);
+  for (auto found = graph.node_of.find(pointer); found != graph.node_of.end(); found = graph.node_of.find(pointer))
+    pointer = graph.nodes[static_cast<std::size_t>(found->second)].instruction->word(0);
+  return decorationOf(module, pointer, spv::Decoration::BuiltIn).has_value();
+}
+
+// By node: whether a node that `wanted` names depends on it. Those themselves do not count, unless for one another.
+template <typename Wanted>
+std::vector<bool> neededBy(const ValueGraph& graph, const Wanted& wanted) {
+  std::vector<int> operands;
+  for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
+    if (!wanted(i)) continue;
+    const Node& node = graph.nodes[i];
+    operands.insert(operands.end(), node.needs.begin(), node.needs.end());
+    for (const int controller : graph.flow.controllers[static_cast<std::size_t>(node.block)])
+      operands.push_back(graph.terminator_of_block[static_cast<std::size_t>(controller)]);
+  }
+  return operands.empty() ? std::vector<bool>(graph.nodes.size(), false) : neededNodes(graph, operands);
+}
+
 int columnOf(const std::string& text, int line, const std::string& name) {
   std::size_t start = 0;
   for (int i = 1; i < line; ++i) {
@@ -202,6 +229,10 @@ ShaderAnalysis analyse(const PreparedShader& shader) {
     analysis.takes_derivatives |= analysis.live[i] && takesImplicitDerivative(opcode);
     analysis.discards |= opcode == Op::OpKill || opcode == Op::OpTerminateInvocation || opcode == Op::OpDemoteToHelperInvocation;
   }
+  analysis.differentiated = neededBy(graph, [&](std::size_t i) {
+    return analysis.live[i] && takesImplicitDerivative(graph.nodes[i].instruction->opcode);
+  });
+  analysis.decides_coverage = neededBy(graph, [&](std::size_t i) { return decidesCoverage(shader.module, graph, i); });
   analysis.refusal = findRefusal(shader, analysis);
   return analysis;
 }

@@ -31,6 +31,8 @@ struct ShaderAnalysis {
   std::vector<bool> live;                    // by node: needed by the shader as it is
   double total_cost = 0;                     // of the live nodes
   bool takes_derivatives = false;            // live implicit-LOD samples or derivatives
+  std::vector<bool> differentiated;          // by node: a live implicit-LOD sample or derivative depends on it
+  std::vector<bool> decides_coverage;        // by node: which fragments are discarded, or their depth, depends on it
   bool discards = false;
   // Why no variant of this shader can be made, if so: shader.side_effects, shader.subgroup, shader.interlock,
   // shader.sample_rate, shader.ray_query.

@@ -37,9 +37,9 @@ struct ValueGraph {
 
 ValueGraph buildValueGraph(const PreparedShader& shader);
 
-// Nodes needed by the roots (`from` empty) or by the given nodes. Nothing is needed through node `cut`: its value is given.
-// The cut node itself is not marked.
-std::vector<bool> neededNodes(const ValueGraph& graph, const std::vector<int>& from, int cut = kNoNode);
+// Nodes needed by the roots (`from` empty) or by the given nodes. Nothing is needed through the nodes `cuts`: their values
+// are given. The cut nodes themselves are not marked.
+std::vector<bool> neededNodes(const ValueGraph& graph, const std::vector<int>& from, const std::vector<int>& cuts = {});
 double costOf(const ValueGraph& graph, const std::vector<bool>& nodes);
 
 // Iterations of a loop: exact where an integer counts by constants to a constant, else kUnknownIterations.

@@ -1,12 +1,19 @@
 #include "compiler/candidates/enumerate.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
-#include <optional>
+#include <iterator>
+#include <map>
+#include <set>
 #include <spirv-tools/libspirv.h>
 
 #include "compiler/analysis/operation_cost.h"
+#include "compiler/candidates/groups.h"
+#include "compiler/candidates/partials.h"
 #include "compiler/candidates/prune.h"
+#include "compiler/candidates/weigh.h"
 
 namespace reprise {
 namespace {
@@ -25,60 +32,15 @@ bool dependsOnPixel(const Candidate& candidate, const ShaderAnalysis& analysis) 
   });
 }
 
-// Nodes whose value or execution changes with node `source`.
-std::vector<bool> dependents(const ValueGraph& graph, int source) {
-  std::vector<bool> depends(graph.nodes.size(), false);
-  depends[static_cast<std::size_t>(source)] = true;
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
-      if (depends[i]) continue;
-      const Node& node = graph.nodes[i];
-      const auto isDependent = [&](int other) { return depends[static_cast<std::size_t>(other)]; };
-      const auto& controllers = graph.flow.controllers[static_cast<std::size_t>(node.block)];
-      if (!std::any_of(node.needs.begin(), node.needs.end(), isDependent) &&
-          !std::any_of(controllers.begin(), controllers.end(),
-                       [&](int block) { return isDependent(graph.terminator_of_block[static_cast<std::size_t>(block)]); }))
-        continue;
-      depends[i] = true;
-      changed = true;
-    }
-  }
-  return depends;
-}
-
-bool tailTakesDerivativesOf(const ShaderAnalysis& analysis, int node, const std::vector<bool>& tail) {
-  if (!analysis.takes_derivatives) return false;
-  const std::vector<bool> depends = dependents(analysis.graph, node);
-  for (std::size_t i = 0; i < tail.size(); ++i)
-    if (tail[i] && depends[i] && takesImplicitDerivative(analysis.graph.nodes[i].instruction->opcode)) return true;
-  return false;
-}
-
-// Whether every path from the entry to a normal end runs through the node's block.
-bool alwaysComputed(const ShaderAnalysis& analysis, const Function& function, int block) {
-  const ControlFlow& flow = analysis.graph.flow;
-  std::vector<bool> seen(function.blocks.size(), false);
-  std::vector<int> work{0};
-  while (!work.empty()) {
-    const int current = work.back();
-    work.pop_back();
-    if (current == block || seen[static_cast<std::size_t>(current)]) continue;
-    seen[static_cast<std::size_t>(current)] = true;
-    if (function.blocks[static_cast<std::size_t>(current)].terminator().opcode == Op::OpReturn) return false;
-    for (const int successor : flow.successors[static_cast<std::size_t>(current)]) work.push_back(successor);
-  }
-  return true;
-}
-
 struct Surroundings {
   const PreparedShader& shader;
   const ShaderAnalysis& analysis;
-  const Function& function;
+  const std::vector<SourceFile>& sources;
+  std::vector<bool> always_run;  // by block
 };
 
 DropReason firstReason(const Candidate& candidate, const Surroundings& around) {
-  const Node& node = around.analysis.graph.nodes[static_cast<std::size_t>(candidate.node)];
+  const Node& node = around.analysis.graph.nodes[static_cast<std::size_t>(candidate.values.front().node)];
   if (candidate.channels == 0)
     return {"type.unsupported", "only 16- and 32-bit floats, 32-bit integers, booleans and vectors of them can be kept"};
   if (node.loop_depth > 0)
@@ -87,32 +49,175 @@ DropReason firstReason(const Candidate& candidate, const Surroundings& around) {
     return {"value.uniform", "it is the same for all pixels"};
   if (onlyRearranges(node.instruction->opcode) || node.instruction->opcode == Op::OpLoad)
     return {"value.rearranged", "it only loads or rearranges other values"};
+  if (around.analysis.decides_coverage[static_cast<std::size_t>(candidate.values.front().node)])
+    return {"value.coverage", "which pixels are discarded, or their depth, depends on it, and has to be exact in every frame"};
   return {};
 }
 
-void describe(Candidate& candidate, const Surroundings& around, const std::vector<SourceFile>& sources) {
-  const Node& node = around.analysis.graph.nodes[static_cast<std::size_t>(candidate.node)];
-  const auto named = around.shader.named.find(candidate.value);
-  if (named != around.shader.named.end()) candidate.name = named->second.name;
-  candidate.operation = operationName(*node.instruction);
-  candidate.place = placeOf(around.shader, candidate.value, sources);
-  candidate.id = (candidate.name.empty() ? candidate.operation : candidate.name) + "@" +
-                 std::filesystem::path(candidate.place.file).filename().string() + ":" + std::to_string(candidate.place.line);
+CandidateValue valueAt(std::size_t node_index, const Surroundings& around) {
+  const Node& node = around.analysis.graph.nodes[node_index];
+  CandidateValue value;
+  value.value = node.instruction->result_id;
+  value.node = static_cast<int>(node_index);
+  const auto named = around.shader.named.find(value.value);
+  if (named != around.shader.named.end()) value.name = named->second.name;
+  value.operation = operationName(*node.instruction);
+  const PayloadType type = payloadType(around.shader.module, node.instruction->type_id);
+  value.channels = type.channels;
+  value.scalar = type.scalar;
+  value.type = type.channels > 0 ? nameOf(type) : "other";
+  value.place = placeOf(around.shader, value.value, around.sources);
+  return value;
+}
+
+// Gives the values their channels, and those in conditional code their guards: one for each block.
+void assignChannels(Candidate& candidate, const Surroundings& around) {
+  int next = 0;
+  for (CandidateValue& value : candidate.values) {
+    value.first_channel = next;
+    next += value.channels;
+  }
+  std::map<int, int> guard_of_block;
+  for (CandidateValue& value : candidate.values) {
+    const int block = around.analysis.graph.nodes[static_cast<std::size_t>(value.node)].block;
+    if (value.channels == 0 || around.always_run[static_cast<std::size_t>(block)]) continue;
+    const auto [guard, added] = guard_of_block.emplace(block, next);
+    if (added) ++next;
+    value.guard_channel = guard->second;
+    candidate.conditional = true;
+  }
+  candidate.channels = next;
+}
+
+std::string shortName(const CandidateValue& value) { return value.name.empty() ? value.operation : value.name; }
+
+std::string idOf(const CandidateValue& value) {
+  return shortName(value) + "@" + std::filesystem::path(value.place.file).filename().string() + ":" + std::to_string(value.place.line);
+}
+
+Candidate singleOf(CandidateValue value) {
+  Candidate candidate;
+  candidate.id = idOf(value);
+  candidate.name = value.name;
+  candidate.operation = value.operation;
+  candidate.type = value.type;
+  candidate.scalar = value.scalar;
+  candidate.channels = value.channels;
+  candidate.place = value.place;
+  candidate.values.push_back(std::move(value));
+  return candidate;
 }
 
 void weigh(Candidate& candidate, const Surroundings& around) {
   const ShaderAnalysis& analysis = around.analysis;
-  const std::vector<bool> tail = neededNodes(analysis.graph, {}, candidate.node);
-  candidate.saved_cost = analysis.total_cost - costOf(analysis.graph, tail);
+  const WeighedPayload weighed = weighPayload(analysis, candidate.values);
+  candidate.saved_cost = weighed.saved_cost;
   candidate.share = analysis.total_cost > 0 ? candidate.saved_cost / analysis.total_cost : 0;
-  const std::vector<bool> slice = neededNodes(analysis.graph, {candidate.node});
-  candidate.slice_cost = costOf(analysis.graph, slice);
-  for (std::size_t i = 0; i < slice.size(); ++i)
-    candidate.slice_takes_derivatives |= slice[i] && takesImplicitDerivative(analysis.graph.nodes[i].instruction->opcode);
-  if (tailTakesDerivativesOf(analysis, candidate.node, tail))
+  candidate.slice_cost = weighed.slice_cost;
+  candidate.slice_takes_derivatives = weighed.slice_takes_derivatives;
+  if (weighed.tail_takes_derivatives)
     candidate.dropped = {"tail.derivative",
                          "the rest of the shader takes derivatives of what depends on it, and a neighbouring pixel's payload "
                          "may belong to another surface"};
+}
+
+std::vector<Candidate> singleCandidates(const Surroundings& around) {
+  const ShaderAnalysis& analysis = around.analysis;
+  std::vector<Candidate> candidates;
+  for (std::size_t i = 0; i < analysis.graph.nodes.size(); ++i) {
+    const Instruction& instruction = *analysis.graph.nodes[i].instruction;
+    if (!analysis.live[i] || instruction.type_id == 0 || instruction.opcode == Op::OpVariable ||
+        instruction.opcode == Op::OpAccessChain || instruction.opcode == Op::OpInBoundsAccessChain)
+      continue;
+    Candidate candidate = singleOf(valueAt(i, around));
+    candidate.inputs = analysis.inputs_of[i];
+    candidate.dropped = firstReason(candidate, around);
+    if (candidate.kept() && analysis.refusal) candidate.dropped = {analysis.refusal->code, analysis.refusal->message};
+    if (candidate.kept()) {
+      assignChannels(candidate, around);
+      weigh(candidate, around);
+    }
+    candidates.push_back(std::move(candidate));
+  }
+  return candidates;
+}
+
+// Parts of chains. Of those that leave out the heaviest term, which save less than the whole and are worth it for their smaller
+// error, only the first few by saved cost.
+std::vector<Candidate> partialCandidates(const Surroundings& around, std::size_t most_without_heaviest) {
+  constexpr std::size_t kMostTermsNamed = 64;
+  std::vector<Candidate> candidates, without_heaviest;
+  for (Partial& partial : findPartials(around.shader, around.analysis)) {
+    const int node = around.analysis.graph.node_of.at(partial.regrouping.chain.root);
+    CandidateValue value = valueAt(static_cast<std::size_t>(node), around);
+    const auto& kept = partial.regrouping.kept;
+    const std::string part = fmt::format("{} of the {} terms of {}", std::count(kept.begin(), kept.end(), true), kept.size(),
+                                         value.name.empty() ? "a " + std::string(nameOf(partial.regrouping.chain.kind)) : value.name);
+    std::string terms;
+    for (std::size_t i = 0; i < kept.size() && i < kMostTermsNamed; ++i) terms += kept[i] ? '1' : '0';
+    value.regrouping = std::move(partial.regrouping);
+    Candidate candidate = singleOf(std::move(value));
+    candidate.id = fmt::format("{}[{}]", candidate.id, terms);
+    candidate.name = candidate.values.front().name = part;
+    candidate.operation = nameOf(candidate.values.front().regrouping->chain.kind);
+    candidate.inputs = std::move(partial.inputs);
+    candidate.dropped = firstReason(candidate, around);
+    if (!candidate.kept()) continue;
+    assignChannels(candidate, around);
+    weigh(candidate, around);
+    (partial.all_but_heaviest ? without_heaviest : candidates).push_back(std::move(candidate));
+  }
+  std::stable_sort(without_heaviest.begin(), without_heaviest.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.saved_cost > b.saved_cost; });
+  for (std::size_t i = 0; i < without_heaviest.size(); ++i) {
+    without_heaviest[i].steadier_part = i < most_without_heaviest;
+    candidates.push_back(std::move(without_heaviest[i]));
+  }
+  return candidates;
+}
+
+std::string joined(const std::vector<CandidateValue>& values, std::string (*text)(const CandidateValue&)) {
+  std::string all;
+  for (const CandidateValue& value : values) all += (all.empty() ? "" : " + ") + text(value);
+  return all;
+}
+
+std::vector<Candidate> groupCandidates(const Surroundings& around, const std::vector<Candidate>& singles, const GroupOptions& options) {
+  std::vector<Candidate> candidates;
+  for (const std::vector<std::size_t>& group : findGroups(around.analysis, singles, options)) {
+    Candidate candidate;
+    std::set<int> inputs;
+    for (const std::size_t single : group) {
+      candidate.values.push_back(singles[single].values.front());
+      candidate.values.back().guard_channel = kNoGuard;
+      inputs.insert(singles[single].inputs.begin(), singles[single].inputs.end());
+    }
+    candidate.inputs.assign(inputs.begin(), inputs.end());
+    candidate.id = joined(candidate.values, idOf);
+    candidate.name = joined(candidate.values, shortName);
+    candidate.type = joined(candidate.values, [](const CandidateValue& value) { return value.type; });
+    candidate.operation = "group";
+    candidate.scalar = candidate.values.front().scalar;
+    candidate.place = candidate.values.front().place;
+    assignChannels(candidate, around);
+    if (candidate.channels > options.most_channels) continue;
+    weigh(candidate, around);
+    if (candidate.kept()) candidates.push_back(std::move(candidate));
+  }
+  return candidates;
+}
+
+// The application's targets, the cache's and, for training, two for counting share the device's colour targets; a depth beside
+// full targets takes one more.
+int channelBudget(const PreparedShader& shader) {
+  const Module& module = shader.module;
+  std::size_t outputs = 0;
+  for (const Instruction& global : module.globals)
+    outputs += global.opcode == Op::OpVariable && static_cast<spv::StorageClass>(global.word(0)) == spv::StorageClass::Output &&
+               decorationOf(module, global.result_id, spv::Decoration::Location).has_value();
+  constexpr std::size_t kCountingTargets = 2, kDepthTarget = 1;
+  const std::size_t taken = outputs + kCountingTargets + kDepthTarget;
+  return taken >= kMostColorTargets ? 4 : static_cast<int>(4 * std::min(kMostPayloadTargets, kMostColorTargets - taken));
 }
 
 // Ids must tell candidates apart: the second of a kind on one line gets "#2".
@@ -126,30 +231,18 @@ void makeIdsUnique(std::vector<Candidate>& candidates) {
 
 std::vector<Candidate> enumerateCandidates(const PreparedShader& shader, const ShaderAnalysis& analysis,
                                            const std::vector<SourceFile>& sources, const CandidateOptions& options) {
-  const Surroundings around{shader, analysis, *findFunction(shader.module, shader.entry_function)};
-  std::vector<Candidate> candidates;
-  for (std::size_t i = 0; i < analysis.graph.nodes.size(); ++i) {
-    const Node& node = analysis.graph.nodes[i];
-    const Op opcode = node.instruction->opcode;
-    if (!analysis.live[i] || node.instruction->type_id == 0 || opcode == Op::OpVariable || opcode == Op::OpAccessChain ||
-        opcode == Op::OpInBoundsAccessChain)
-      continue;
-    Candidate candidate;
-    candidate.value = node.instruction->result_id;
-    candidate.node = static_cast<int>(i);
-    const PayloadType type = payloadType(shader.module, node.instruction->type_id);
-    candidate.channels = type.channels;
-    candidate.scalar = type.scalar;
-    candidate.type = type.channels > 0 ? nameOf(type) : "other";
-    candidate.inputs = analysis.inputs_of[i];
-    describe(candidate, around, sources);
-    candidate.dropped = firstReason(candidate, around);
-    if (candidate.kept() && analysis.refusal) candidate.dropped = {analysis.refusal->code, analysis.refusal->message};
-    if (candidate.kept()) {
-      candidate.conditional = !alwaysComputed(analysis, around.function, node.block);
-      weigh(candidate, around);
-    }
-    candidates.push_back(std::move(candidate));
+  const Function& function = *findFunction(shader.module, shader.entry_function);
+  Surroundings around{shader, analysis, sources, {}};
+  for (std::size_t block = 0; block < function.blocks.size(); ++block)
+    around.always_run.push_back(isAlwaysRun(analysis.graph.flow, function, static_cast<int>(block)));
+  std::vector<Candidate> candidates = singleCandidates(around);
+  if (!analysis.refusal) {
+    GroupOptions grouping;
+    grouping.most_channels = channelBudget(shader);
+    std::vector<Candidate> groups = groupCandidates(around, candidates, grouping);
+    std::vector<Candidate> partials = partialCandidates(around, options.most_without_heaviest);
+    for (std::vector<Candidate>* more : {&groups, &partials})
+      candidates.insert(candidates.end(), std::make_move_iterator(more->begin()), std::make_move_iterator(more->end()));
   }
   makeIdsUnique(candidates);
   std::stable_sort(candidates.begin(), candidates.end(),
@@ -157,6 +250,10 @@ std::vector<Candidate> enumerateCandidates(const PreparedShader& shader, const S
   pruneCandidates(candidates, analysis.total_cost, options);
   std::stable_partition(candidates.begin(), candidates.end(), [](const Candidate& candidate) { return candidate.kept(); });
   return candidates;
+}
+
+bool isRegrouped(const Candidate& candidate) {
+  return std::any_of(candidate.values.begin(), candidate.values.end(), [](const CandidateValue& value) { return value.regrouping.has_value(); });
 }
 
 std::vector<std::string> inputNames(const Candidate& candidate, const ShaderAnalysis& analysis) {

@@ -1,5 +1,7 @@
 #include "compiler/candidates/prune.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,8 +21,34 @@ std::string described(const Candidate& candidate) {
 bool preferred(const Candidate& a, const Candidate& b) {
   if (a.inputs.size() != b.inputs.size()) return a.inputs.size() < b.inputs.size();
   if (a.channels != b.channels) return a.channels < b.channels;
+  if (isRegrouped(a) != isRegrouped(b)) return isRegrouped(b);
   if (a.name.empty() != b.name.empty()) return !a.name.empty();
-  return a.saved_cost > b.saved_cost || (a.saved_cost == b.saved_cost && a.node > b.node);
+  return a.saved_cost > b.saved_cost || (a.saved_cost == b.saved_cost && a.values.front().node > b.values.front().node);
+}
+
+// Drops a candidate that another one makes needless.
+void dropIfMatched(Candidate& candidate, const std::vector<Candidate>& ranked, double shader_cost, const CandidateOptions& options) {
+  const double same = options.same_cost_share * shader_cost;
+  for (const Candidate& other : ranked) {
+    if (&other == &candidate || !other.kept() || !dependsOnNoMore(other, candidate)) continue;
+    const double more = candidate.saved_cost - other.saved_cost;
+    if (std::abs(more) <= same && preferred(other, candidate)) {
+      candidate.dropped = {"pruned.duplicate", described(other) + " saves as much and is no harder to keep"};
+      return;
+    }
+    const bool strictly = other.saved_cost > candidate.saved_cost || other.channels < candidate.channels ||
+                          other.inputs.size() < candidate.inputs.size();
+    if (more <= 0 && other.channels <= candidate.channels && strictly && other.conditional <= candidate.conditional) {
+      candidate.dropped = {"pruned.dominated", described(other) + " saves at least as much and changes with no more inputs"};
+      return;
+    }
+    const int channels = candidate.channels - other.channels;
+    if (candidate.values.size() > 1 && channels > 0 && more < options.least_share_per_channel * shader_cost * channels) {
+      candidate.dropped = {"pruned.channels", fmt::format("{} saves nearly as much in {} of its {} channels", described(other), other.channels,
+                                                          candidate.channels)};
+      return;
+    }
+  }
 }
 
 }  // namespace
@@ -30,29 +58,17 @@ void pruneCandidates(std::vector<Candidate>& ranked, double shader_cost, const C
     if (candidate.kept() && candidate.share < options.least_share)
       candidate.dropped = {"pruned.cheap", "caching it would save " + std::to_string(std::lround(candidate.share * 1000) / 10.0).substr(0, 4) +
                                                "% of the shader's cost, too little to pay for a lookup"};
-  const double same = options.same_cost_share * shader_cost;
+  for (Candidate& candidate : ranked)
+    if (candidate.kept() && !candidate.steadier_part) dropIfMatched(candidate, ranked, shader_cost, options);
+  std::size_t kept = 0, groups = 0, partials = 0;
   for (Candidate& candidate : ranked) {
     if (!candidate.kept()) continue;
-    for (const Candidate& other : ranked) {
-      if (&other == &candidate || !other.kept()) continue;
-      const bool alike = std::abs(other.saved_cost - candidate.saved_cost) <= same;
-      if (alike && dependsOnNoMore(other, candidate) && preferred(other, candidate)) {
-        candidate.dropped = {"pruned.duplicate", described(other) + " saves as much and is no harder to keep"};
-        break;
-      }
-      const bool strictly = other.saved_cost > candidate.saved_cost || other.channels < candidate.channels ||
-                            other.inputs.size() < candidate.inputs.size();
-      if (other.saved_cost >= candidate.saved_cost && other.channels <= candidate.channels &&
-          dependsOnNoMore(other, candidate) && strictly && other.conditional <= candidate.conditional) {
-        candidate.dropped = {"pruned.dominated", described(other) + " saves at least as much and changes with no more inputs"};
-        break;
-      }
-    }
+    const bool fits = (candidate.values.size() < 2 || ++groups <= options.most_groups) &&
+                      (!isRegrouped(candidate) || ++partials <= options.most_partials) && ++kept <= options.most;
+    if (!fits)
+      candidate.dropped = {"pruned.rank", fmt::format("only the {} candidates that save most are trained, of them {} of several values and {} parts of chains",
+                                                      options.most, options.most_groups, options.most_partials)};
   }
-  std::size_t kept = 0;
-  for (Candidate& candidate : ranked)
-    if (candidate.kept() && ++kept > options.most)
-      candidate.dropped = {"pruned.rank", "only the " + std::to_string(options.most) + " candidates that save most are trained"};
 }
 
 }  // namespace reprise

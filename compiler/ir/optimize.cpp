@@ -62,6 +62,15 @@ Result<Module> promoteToSsa(const Module& module) {
   });
 }
 
+Result<Module> unrollMarkedLoops(const Module& module) {
+  return runPasses(module, [](spvtools::Optimizer& optimizer) {
+    optimizer.RegisterPass(spvtools::CreateLoopUnrollPass(true))
+        .RegisterPass(spvtools::CreateDeadBranchElimPass())
+        .RegisterPass(spvtools::CreateBlockMergePass())
+        .RegisterPass(spvtools::CreateAggressiveDCEPass(true));
+  });
+}
+
 Result<Module> removeDeadCode(const Module& module) {
   return runPasses(module, [](spvtools::Optimizer& optimizer) {
     optimizer.RegisterPass(spvtools::CreatePrivateToLocalPass())

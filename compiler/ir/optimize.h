@@ -19,4 +19,7 @@ Result<Module> removeDeadCode(const Module& module);
 // Lines and sources removed, ids made dense: the form that ships. Names stay, for the readable GLSL and for debuggers.
 Result<Module> stripForShipping(const Module& module);
 
+// Loops whose loop control asks for it are unrolled, as far as their form allows.
+Result<Module> unrollMarkedLoops(const Module& module);
+
 }  // namespace reprise

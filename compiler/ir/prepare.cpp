@@ -4,7 +4,9 @@
 #include <set>
 #include <unordered_set>
 
+#include "compiler/ir/loop_results.h"
 #include "compiler/ir/optimize.h"
+#include "compiler/ir/unroll.h"
 
 namespace reprise {
 namespace {
@@ -93,10 +95,27 @@ Module nameStoredValues(const Module& module, std::uint32_t entry_function, cons
   return named;
 }
 
-// Folds every OpCopyObject of the entry function and records the names that the copies carried.
-void foldCopies(PreparedShader& shader) {
+// The integer scalars among the types: those of loop counters.
+std::unordered_set<std::uint32_t> counterTypes(const Module& module) {
+  std::unordered_set<std::uint32_t> types;
+  for (const Instruction& global : module.globals)
+    if (global.opcode == Op::OpTypeInt) types.insert(global.result_id);
+  return types;
+}
+
+// Folds OpCopyObjects of the entry function, of the given types or all where there are none, and records the names that the
+// copies carried. The copies of unrolled iterations have none of their own but keep their lines.
+void foldCopies(PreparedShader& shader, const LineNames& on_lines, const std::unordered_set<std::uint32_t>& types = {}) {
   const auto names = namesById(shader.module);
   Function& function = *findFunction(shader.module, shader.entry_function);
+  const auto folds = [&](const Instruction& instruction) {
+    return instruction.opcode == Op::OpCopyObject && (types.empty() || types.count(instruction.type_id) != 0);
+  };
+  const auto nameOfCopy = [&](const Instruction& copy) -> std::string {
+    if (const auto own = names.find(copy.result_id); own != names.end()) return own->second;
+    const auto found = on_lines.find({copy.line.file, copy.line.line});
+    return found != on_lines.end() && found->second.size() == 1 ? *found->second.begin() : "";
+  };
   std::unordered_map<std::uint32_t, std::uint32_t> source;
   const auto resolve = [&](std::uint32_t id) {
     for (auto found = source.find(id); found != source.end(); found = source.find(id)) id = found->second;
@@ -104,13 +123,13 @@ void foldCopies(PreparedShader& shader) {
   };
   for (const Block& block : function.blocks)
     for (const Instruction& instruction : block.instructions)
-      if (instruction.opcode == Op::OpCopyObject) source[instruction.result_id] = instruction.word(0);
+      if (folds(instruction)) source[instruction.result_id] = instruction.word(0);
   for (Block& block : function.blocks) {
     std::vector<Instruction> kept;
     for (Instruction& instruction : block.instructions) {
-      if (instruction.opcode == Op::OpCopyObject) {
-        const auto name = names.find(instruction.result_id);
-        if (name != names.end()) shader.named[resolve(instruction.result_id)] = {name->second, instruction.line};
+      if (folds(instruction)) {
+        if (const std::string name = nameOfCopy(instruction); !name.empty())
+          shader.named[resolve(instruction.result_id)] = {name, instruction.line};
         continue;
       }
       for (Operand& operand : instruction.operands)
@@ -125,6 +144,39 @@ void foldCopies(PreparedShader& shader) {
   std::erase_if(shader.module.annotations, [&](const Instruction& annotation) {
     return annotation.opcode == Op::OpDecorate && source.count(annotation.word(0)) != 0;
   });
+}
+
+// A phi that joins values of one name has that name: a variable that was assigned on several paths.
+void namePhis(PreparedShader& shader) {
+  const auto nameJoined = [&](const Instruction& phi) -> const NamedValue* {
+    const NamedValue* joined = nullptr;
+    for (std::size_t i = 0; i < phi.operands.size(); i += 2) {
+      const auto name = shader.named.find(phi.word(i));
+      if (name == shader.named.end()) continue;
+      if (joined != nullptr && joined->name != name->second.name) return nullptr;
+      joined = &name->second;
+    }
+    return joined;
+  };
+  for (const Block& block : findFunction(shader.module, shader.entry_function)->blocks)
+    for (const Instruction& instruction : block.instructions)
+      if (instruction.opcode == Op::OpPhi && shader.named.count(instruction.result_id) == 0)
+        if (const NamedValue* name = nameJoined(instruction)) shader.named[instruction.result_id] = NamedValue(*name);
+}
+
+// What a loop leaves behind gets the name that the loop's value has.
+void nameLoopResults(PreparedShader& shader) {
+  LoopClosed closed = closeLoops(shader.module, shader.entry_function);
+  shader.module = std::move(closed.module);
+  // A value that leaves several loops: from phi to phi.
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const auto& [value, phi] : closed.result_of)
+      if (const auto name = shader.named.find(value); name != shader.named.end() && shader.named.count(phi) == 0) {
+        shader.named[phi] = NamedValue(name->second);
+        changed = true;
+      }
+  }
 }
 
 }  // namespace
@@ -160,10 +212,16 @@ Result<PreparedShader> prepareForCaching(const Module& module, const std::string
           return Error{ErrorKind::kRefused, "call.kept",
                        "the function '" + nameOf(inlined, instruction.word(0)) +
                            "' cannot be inlined, so its values cannot be told apart", {}};
-  REPRISE_ASSIGN(Module promoted, promoteToSsa(nameStoredValues(inlined, function_id, namesStoredOnLines(module))));
+  const LineNames on_lines = namesStoredOnLines(module);
+  REPRISE_ASSIGN(Module promoted, promoteToSsa(nameStoredValues(inlined, function_id, on_lines)));
   PreparedShader shader{std::move(promoted), function_id, {}};
   REPRISE_CHECK(findFunction(shader.module, function_id) != nullptr, name);
-  foldCopies(shader);
+  // Counters first: a loop whose step is a copy is not seen to count.
+  foldCopies(shader, on_lines, counterTypes(shader.module));
+  REPRISE_ASSIGN(shader.module, unrollShortLoops(shader.module, function_id));
+  foldCopies(shader, on_lines);
+  namePhis(shader);
+  nameLoopResults(shader);
   return shader;
 }
 

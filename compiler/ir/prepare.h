@@ -1,6 +1,8 @@
 // A shader brought into the form that analysis and rewriting work on: one function in SSA form, whose values still know
 // what the source called them.
 //
+// Short loops are written out (unroll.h), and what other loops leave behind is a value of its own (loop_results.h).
+//
 // SSA construction drops the variables and with them their names. So before it every store to a named local is given a
 // copy that carries the name; afterwards the copies are folded into the values they copied. Where several names meet in
 // one value the last assignment in program order wins: that is the outermost one after inlining.

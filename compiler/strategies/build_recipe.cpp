@@ -17,8 +17,6 @@
 namespace reprise {
 namespace {
 
-constexpr const char* kCache = "cache";
-constexpr const char* kCacheDepth = "cache_depth";
 constexpr std::uint32_t kHistoryBinding = 2;
 
 std::uint32_t firstFreeSet(const ShaderInterface& interface) {
@@ -34,14 +32,30 @@ int firstFreeOutput(const ShaderInterface& interface) {
 }
 
 // Nine digits give every float back.
-std::string vec4Text(const float (&values)[4]) {
+std::string vec4Text(const float* values) {
   return fmt::format("vec4({:#.9g}, {:#.9g}, {:#.9g}, {:#.9g})", values[0], values[1], values[2], values[3]);
+}
+
+// A GLSL array with a vec4 for each target.
+std::string targetsText(const ChannelFloats& values, std::size_t targets) {
+  std::string text = "vec4[](";
+  for (std::size_t target = 0; target < targets; ++target) text += (target == 0 ? "" : ", ") + vec4Text(&values[4 * target]);
+  return text + ")";
+}
+
+std::vector<int> guardsOf(const Candidate& candidate) {
+  std::vector<int> guards;
+  for (const CandidateValue& value : candidate.values)
+    if (value.guard_channel != kNoGuard && std::find(guards.begin(), guards.end(), value.guard_channel) == guards.end())
+      guards.push_back(value.guard_channel);
+  return guards;
 }
 
 class RecipeBuilder {
  public:
   RecipeBuilder(const ShaderProgram& program, const Candidate& candidate, const VariantOptions& options, const Strategy& strategy)
       : program_(program), candidate_(candidate), options_(options), strategy_(strategy),
+        guards_(guardsOf(candidate)),
         layout_(cacheLayout(std::max(candidate.channels, 1), options.encoding, isInteger(candidate.scalar))),
         cache_location_(firstFreeOutput(program.interface)) {}
 
@@ -79,11 +93,27 @@ class RecipeBuilder {
     recipe().requirements.independent_blend = options_.instrumented && strategy_.caches;
     if (!strategy_.caches) return;
     recipe().requirements.linear_filter = options_.filter == Filter::kBilinear;
-    recipe().constants = encodingConstants(layout_, options_.encoding, options_.filter, options_.ranges);
-    PayloadValue value{candidate_.name.empty() ? candidate_.id : candidate_.name, candidate_.type, candidate_.place.file,
-                       candidate_.place.line, candidate_.place.column, candidate_.channels, options_.ranges.payload_min,
-                       options_.ranges.payload_max, inputNames(candidate_, program_.analysis)};
-    recipe().payload = {std::move(value)};
+    recipe().constants = encodingConstants(layout_, options_.encoding, options_.filter, options_.ranges, guards_);
+    for (const CandidateValue& value : candidate_.values) recipe().payload.push_back(describe(value));
+  }
+
+  PayloadValue describe(const CandidateValue& value) const {
+    PayloadValue described;
+    described.name = !value.name.empty() ? value.name : candidate_.values.size() == 1 ? candidate_.id : value.operation;
+    described.type = value.type;
+    described.file = value.place.file;
+    described.line = value.place.line;
+    described.column = value.place.column;
+    described.channels = value.channels;
+    described.first_channel = value.first_channel;
+    described.guard_channel = value.guard_channel;
+    for (int channel = 0; channel < value.channels; ++channel) {
+      const auto from = static_cast<std::size_t>(value.first_channel + channel), to = static_cast<std::size_t>(channel);
+      described.range_min[to] = options_.ranges.payload_min[from];
+      described.range_max[to] = options_.ranges.payload_max[from];
+    }
+    described.inputs = inputNames(candidate_, program_.analysis);
+    return described;
   }
 
   bool keepsHistory() const {
@@ -92,13 +122,41 @@ class RecipeBuilder {
 
   void declareResources() {
     if (keepsHistory()) {
-      recipe().resources.push_back({kCache, layout_.payload_format, 1, Lifetime::kHistory, {0, 0, 0, 0}});
-      if (!layout_.depth_in_alpha) recipe().resources.push_back({kCacheDepth, layout_.depth_format, 1, Lifetime::kHistory, {0, 0, 0, 0}});
+      for (std::size_t target = 0; target < targets(); ++target)
+        recipe().resources.push_back({payloadTarget(target), layout_.payload_formats[target], 1, Lifetime::kHistory, {0, 0, 0, 0}});
+      if (!layout_.depth_in_alpha) recipe().resources.push_back({kPayloadDepth, layout_.depth_format, 1, Lifetime::kHistory, {0, 0, 0, 0}});
       if (options_.instrumented) {
         recipe().resources.push_back({"kind", ResourceFormat::kR8Unorm, 1, Lifetime::kFrame, {0, 0, 0, 0}});
         recipe().resources.push_back({"counts", ResourceFormat::kRgba32Sfloat, 1, Lifetime::kFrame, {0, 0, 0, 0}});
       }
     }
+  }
+
+  std::size_t targets() const { return layout_.payload_formats.size(); }
+
+  // The targets of a history: those of the payload, and its depth's.
+  int cacheTargets() const { return static_cast<int>(targets()) + (layout_.depth_in_alpha ? 0 : 1); }
+
+  // A GLSL expression over `texel` and `reprise_wanted`: every guard that is wanted holds. Filtered guards are 1 where all taps
+  // had the value; the margin is for the rounding of filters.
+  std::string guardsText() const {
+    std::string text = "true";
+    for (const int guard : guards_)
+      text += fmt::format(" && ((reprise_wanted & {}u) == 0u || texel[{}].{} {})", 1u << guard, guard / 4, "xyzw"[guard % 4],
+                          layout_.integer ? "!= 0u" : ">= 0.998");
+    return text;
+  }
+
+  // What lies in the payload where a guarded value was not computed: in range, so that it may be stored, and 0 for guards.
+  std::string initialText() const {
+    if (layout_.integer) {
+      std::string text = "uvec4[](uvec4(0)";
+      for (std::size_t target = 1; target < targets(); ++target) text += ", uvec4(0)";
+      return text + ")";
+    }
+    ChannelFloats initial = built_.recipe.constants.free_payload;
+    for (const int guard : guards_) initial[static_cast<std::size_t>(guard)] = 0;
+    return targetsText(initial, targets());
   }
 
   using Macros = std::map<std::string, std::string>;
@@ -111,7 +169,11 @@ class RecipeBuilder {
             {"PREVIOUS_LOCATION", number(firstFreeVarying(program_.vertex, program_.fragment->module))},
             {"CACHE_LOCATION", "0"},
             {"COUNT_LOCATION", "0"},
-            {"CHANNELS", number(candidate_.channels)},
+            {"TARGETS", number(targets())},
+            {"LAST_CHANNELS", number(layout_.last_channels)},
+            {"GUARDED", flag(!guards_.empty())},
+            {"GUARDS_HOLD", guardsText()},
+            {"PAYLOAD_INITIAL", initialText()},
             {"PAYLOAD_VEC", layout_.integer ? "uvec4" : "vec4"},
             {"PAYLOAD_SAMPLER", layout_.integer ? "usampler2D" : "sampler2D"},
             {"INTEGER", flag(layout_.integer)},
@@ -132,8 +194,8 @@ class RecipeBuilder {
             {"PATTERN", number(options_.pattern == PatternKind::kTiled ? 0 : options_.pattern == PatternKind::kRandom ? 1 : 2)},
             {"DEPTH_RANGE", vec4Text(constants.depth_range)},
             {"TOLERANCE", vec4Text(constants.tolerance)},
-            {"PAYLOAD_SCALE", vec4Text(constants.payload_scale)},
-            {"PAYLOAD_OFFSET", vec4Text(constants.payload_offset)},
+            {"PAYLOAD_SCALE", targetsText(constants.payload_scale, targets())},
+            {"PAYLOAD_OFFSET", targetsText(constants.payload_offset, targets())},
             {"PAYLOAD_RANGE", vec4Text(constants.payload_range)}};
   }
 
@@ -167,16 +229,20 @@ class RecipeBuilder {
   }
 
   Result<void> buildFragment(const PassPlan& plan, const std::string& name) {
-    REPRISE_ASSIGN(const PayloadBodies bodies, makeBodies(*program_.fragment, candidate_.value, plan.bodies));
+    Bodies wanted = plan.bodies;
+    wanted.wants = plan.reads_history && !guards_.empty();
+    REPRISE_ASSIGN(const PayloadBodies bodies, makeBodies(*program_.fragment, candidate_.values, wanted));
     Macros values = macros();
     const int cache_location = plan.app_targets ? cache_location_ : 0;
     values["CACHE_LOCATION"] = std::to_string(cache_location);
-    values["COUNT_LOCATION"] = std::to_string(cache_location + (layout_.depth_in_alpha ? 1 : 2));
+    values["COUNT_LOCATION"] = std::to_string(cache_location + cacheTargets());
     const Module frame = compileFrame(plan.frame, ShaderStage::kFragment, values);
     FrameBindings bindings;
     if (plan.bodies.hit) bindings.functions["reprise_hit"] = bodies.hit;
     if (plan.bodies.miss) bindings.functions["reprise_miss"] = bodies.miss;
-    bindings.variables = {{"reprise_payload", bodies.payload_variable}, {"reprise_payload_valid", bodies.valid_variable}};
+    if (wanted.wants) bindings.functions["reprise_wants"] = bodies.wants;
+    bindings.variables = {{"reprise_payload", bodies.payload_variable}};
+    if (wanted.wants) bindings.variables["reprise_wanted"] = bodies.wanted_variable;
     return addRewritten(name, "fragment", linkFrame(bodies.module, frame, bindings));
   }
 
@@ -205,11 +271,11 @@ class RecipeBuilder {
                                static_cast<int>(program_.interface.outputs[i].location)});
     if (plan.writes_cache) {
       int location = plan.app_targets ? cache_location_ : 0;
-      const auto add = [&](const char* resource, BlendKind blend) {
+      const auto add = [&](const std::string& resource, BlendKind blend) {
         pass.colors.push_back({-1, resource, LoadOp::kClear, blend, location++});
       };
-      add(kCache, BlendKind::kReplace);
-      if (!layout_.depth_in_alpha) add(kCacheDepth, BlendKind::kReplace);
+      for (std::size_t target = 0; target < targets(); ++target) add(payloadTarget(target), BlendKind::kReplace);
+      if (!layout_.depth_in_alpha) add(kPayloadDepth, BlendKind::kReplace);
       if (options_.instrumented) {
         add("kind", BlendKind::kReplace);
         add("counts", BlendKind::kAdd);
@@ -230,11 +296,14 @@ class RecipeBuilder {
     pass.stencil = plan.stencil;
     REPRISE_TRY(chooseFragment(plan, pass));
     attach(plan, pass);
-    if (plan.reads_history) {
-      pass.reads.push_back({kCache, kHistoryBinding, options_.filter, false});
-      if (!layout_.depth_in_alpha) pass.reads.push_back({kCacheDepth, kHistoryBinding + 1, options_.filter, false});
-    }
-    if (plan.reads_current) pass.reads.push_back({kCache, kHistoryBinding, Filter::kNearest, true});
+    const auto read = [&](const std::string& resource, Filter filter) {
+      const auto binding = kHistoryBinding + static_cast<std::uint32_t>(pass.reads.size());
+      pass.reads.push_back({resource, binding, filter, plan.reads_current});
+    };
+    if (plan.reads_history || plan.reads_current)
+      for (std::size_t target = 0; target < targets(); ++target)
+        read(payloadTarget(target), plan.reads_current ? Filter::kNearest : options_.filter);
+    if (plan.reads_history && !layout_.depth_in_alpha) read(kPayloadDepth, options_.filter);
     recipe().passes.push_back(std::move(pass));
     return {};
   }
@@ -243,6 +312,7 @@ class RecipeBuilder {
   const Candidate& candidate_;
   const VariantOptions& options_;
   const Strategy& strategy_;
+  std::vector<int> guards_;  // channels
   CacheLayout layout_;
   int cache_location_ = 1;
   int attachments_ = 1;

@@ -26,39 +26,34 @@ float depthStep(const CacheLayout& layout, Encoding encoding) {
   }
 }
 
+struct TargetFormats {
+  ResourceFormat four, two;
+};
+
 CacheLayout floatLayout(int channels, Encoding encoding) {
   CacheLayout layout;
-  switch (encoding) {
-    case Encoding::kRgba8:
-      layout.payload_format = ResourceFormat::kRgba8Unorm;
-      layout.depth_in_alpha = false;
-      layout.affine = true;
-      break;
-    case Encoding::kRgba16:
-      layout.narrow = channels == 1;
-      layout.payload_format = layout.narrow ? ResourceFormat::kRg16Unorm : ResourceFormat::kRgba16Unorm;
-      layout.depth_in_alpha = channels <= 3;
-      layout.affine = true;
-      break;
-    case Encoding::kRgba16f:
-      layout.narrow = channels == 1;
-      layout.payload_format = layout.narrow ? ResourceFormat::kRg16Sfloat : ResourceFormat::kRgba16Sfloat;
-      layout.depth_in_alpha = channels <= 3;
-      break;
-    case Encoding::kRgba32f:
-      layout.payload_format = ResourceFormat::kRgba32Sfloat;
-      layout.depth_in_alpha = channels <= 3;
-      layout.depth_format = ResourceFormat::kR32Sfloat;
-      break;
-  }
+  layout.last_channels = (channels - 1) % 4 + 1;
+  layout.affine = encoding == Encoding::kRgba8 || encoding == Encoding::kRgba16;
+  layout.depth_in_alpha = encoding != Encoding::kRgba8 && layout.last_channels < 4;
+  const bool sixteen_bits = encoding == Encoding::kRgba16 || encoding == Encoding::kRgba16f;
+  layout.narrow = sixteen_bits && layout.last_channels == 1;
+  if (encoding == Encoding::kRgba32f) layout.depth_format = ResourceFormat::kR32Sfloat;
+  const TargetFormats formats =
+      encoding == Encoding::kRgba8    ? TargetFormats{ResourceFormat::kRgba8Unorm, ResourceFormat::kRgba8Unorm}
+      : encoding == Encoding::kRgba16 ? TargetFormats{ResourceFormat::kRgba16Unorm, ResourceFormat::kRg16Unorm}
+      : encoding == Encoding::kRgba16f ? TargetFormats{ResourceFormat::kRgba16Sfloat, ResourceFormat::kRg16Sfloat}
+                                       : TargetFormats{ResourceFormat::kRgba32Sfloat, ResourceFormat::kRgba32Sfloat};
+  layout.payload_formats.assign(static_cast<std::size_t>((channels + 3) / 4), formats.four);
+  if (layout.narrow) layout.payload_formats.back() = formats.two;
   return layout;
 }
 
 CacheLayout integerLayout(int channels) {
   CacheLayout layout;
-  layout.payload_format = channels == 1   ? ResourceFormat::kR32Uint
-                          : channels == 2 ? ResourceFormat::kRg32Uint
-                                          : ResourceFormat::kRgba32Uint;
+  layout.last_channels = (channels - 1) % 4 + 1;
+  layout.payload_formats.assign(static_cast<std::size_t>((channels + 3) / 4), ResourceFormat::kRgba32Uint);
+  if (layout.last_channels == 1) layout.payload_formats.back() = ResourceFormat::kR32Uint;
+  if (layout.last_channels == 2) layout.payload_formats.back() = ResourceFormat::kRg32Uint;
   layout.depth_in_alpha = false;
   layout.depth_format = ResourceFormat::kR32Sfloat;
   layout.integer = true;
@@ -68,12 +63,15 @@ CacheLayout integerLayout(int channels) {
 }  // namespace
 
 CacheLayout cacheLayout(int channels, Encoding encoding, bool integer) {
+  REPRISE_CHECK(channels >= 1 && channels <= static_cast<int>(kMostPayloadChannels), channels);
   CacheLayout layout = integer ? integerLayout(channels) : floatLayout(channels, encoding);
-  layout.bytes_per_pixel = bytesPerPixel(layout.payload_format) + (layout.depth_in_alpha ? 0 : bytesPerPixel(layout.depth_format));
+  layout.bytes_per_pixel = layout.depth_in_alpha ? 0 : bytesPerPixel(layout.depth_format);
+  for (const ResourceFormat format : layout.payload_formats) layout.bytes_per_pixel += bytesPerPixel(format);
   return layout;
 }
 
-CacheConstants encodingConstants(const CacheLayout& layout, Encoding encoding, Filter filter, const ValueRanges& ranges) {
+CacheConstants encodingConstants(const CacheLayout& layout, Encoding encoding, Filter filter, const ValueRanges& ranges,
+                                 const std::vector<int>& guard_channels) {
   CacheConstants constants;
   const float span = std::max(ranges.depth_far - ranges.depth_near, 1e-6f * std::max(1.0f, std::abs(ranges.depth_far)));
   constants.depth_range[0] = (1 - kNearestStored) / span;
@@ -85,15 +83,13 @@ CacheConstants encodingConstants(const CacheLayout& layout, Encoding encoding, F
   constants.tolerance[1] = filter == Filter::kNearest ? 0.75f : 0.5f;
   constants.tolerance[2] = kRelativeEpsilon;
   constants.tolerance[3] = kSlopeCap;
-  for (std::size_t channel = 0; channel < 4; ++channel) {
-    constants.payload_scale[channel] = 1;
-    constants.payload_offset[channel] = 0;
-  }
+  constants.payload_scale.fill(1);
   const float largest = encoding == Encoding::kRgba16f ? kLargestHalf : kLargestFloat;
   constants.payload_range[0] = -largest;
   constants.payload_range[1] = largest;
   if (layout.affine) {
-    for (std::size_t channel = 0; channel < 4; ++channel) {
+    for (std::size_t channel = 0; channel < kMostPayloadChannels; ++channel) {
+      if (std::find(guard_channels.begin(), guard_channels.end(), static_cast<int>(channel)) != guard_channels.end()) continue;
       float low = ranges.payload_min[channel], high = ranges.payload_max[channel];
       if (!(high > low) || !std::isfinite(high - low)) low = 0, high = 1;
       const float margin = (high - low) * kRangeMargin;
@@ -103,7 +99,7 @@ CacheConstants encodingConstants(const CacheLayout& layout, Encoding encoding, F
     constants.payload_range[0] = 0;
     constants.payload_range[1] = 1;
   }
-  for (std::size_t channel = 0; channel < 4; ++channel)
+  for (std::size_t channel = 0; channel < kMostPayloadChannels; ++channel)
     constants.free_payload[channel] = (ranges.payload_min[channel] + ranges.payload_max[channel]) / 2;
   return constants;
 }
@@ -115,10 +111,12 @@ ValueRanges rangesOf(const Recipe& recipe) {
     ranges.depth_near = (kNearestStored - offset) / scale;
     ranges.depth_far = (1 - offset) / scale;
   }
-  if (!recipe.payload.empty()) {
-    ranges.payload_min = recipe.payload[0].range_min;
-    ranges.payload_max = recipe.payload[0].range_max;
-  }
+  for (const PayloadValue& value : recipe.payload)
+    for (int channel = 0; channel < value.channels; ++channel) {
+      const auto at = static_cast<std::size_t>(value.first_channel + channel);
+      ranges.payload_min[at] = value.range_min[static_cast<std::size_t>(channel)];
+      ranges.payload_max[at] = value.range_max[static_cast<std::size_t>(channel)];
+    }
   return ranges;
 }
 

@@ -18,6 +18,7 @@ struct Bodies {
   bool hit = false;          // the shader with the payload given
   bool miss = false;         // the whole shader, handing the payload out
   bool colors = true;        // false: colour outputs are hidden, and what only they need is removed
+  bool wants = false;        // what tells which guarded values a pixel needs; set by buildRecipe where a payload has guards
 };
 
 enum class FragmentSource { kFrame, kOriginal, kNone };

@@ -209,7 +209,7 @@ Result<PreviousPosition> addPreviousPosition(const Module& vertex, const Previou
   const std::uint32_t slot = addVariable(module, StorageClass::Output, vec4, "reprise_position_slot");
   for (Instruction& entry : module.entry_points) entry.operands.push_back(idOperand(slot));
   REPRISE_ASSIGN(module, redirectVariable(module, {cloned.function, position->variable, slot, {}, position->member}));
-  REPRISE_ASSIGN(module, hideColorOutputs(module, cloned.function));
+  REPRISE_ASSIGN(module, hideOutputs(module, cloned.function, HiddenOutputs::kColors));
   REPRISE_ASSIGN(module, removeDeadCode(module));
   PreviousPosition result;
   REPRISE_ASSIGN(module, usePreviousInputs(module, cloned.function, options.reprise_set, result.inputs));

@@ -62,11 +62,12 @@ Result<Module> redirectVariable(const Module& module, const Redirection& redirec
   return result;
 }
 
-Result<Module> hideColorOutputs(const Module& module, std::uint32_t function) {
+Result<Module> hideOutputs(const Module& module, std::uint32_t function, HiddenOutputs hiding, std::uint32_t except) {
   Module result = module;
   for (const Instruction& global : module.globals) {
     if (global.opcode != Op::OpVariable || static_cast<StorageClass>(global.word(0)) != StorageClass::Output) continue;
-    if (!decorationOf(module, global.result_id, spv::Decoration::Location)) continue;
+    if (global.result_id == except) continue;
+    if (hiding == HiddenOutputs::kColors && !decorationOf(module, global.result_id, spv::Decoration::Location)) continue;
     const std::uint32_t pointee = findGlobal(module, global.type_id)->word(1);
     const std::uint32_t hidden = addVariable(result, StorageClass::Private, pointee, nameOf(module, global.result_id) + "_unseen");
     REPRISE_ASSIGN(result, redirectVariable(result, {function, global.result_id, hidden, {}, {}}));

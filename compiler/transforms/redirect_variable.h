@@ -23,8 +23,11 @@ struct Redirection {
 // variable.use, where the function uses `from` in another way than by access chain, load or store.
 Result<Module> redirectVariable(const Module& module, const Redirection& redirection);
 
-// Every output variable with a Location becomes a private variable in the function: its stores reach nobody (unless the
-// function reads them back). Depth and sample-mask outputs stay.
-Result<Module> hideColorOutputs(const Module& module, std::uint32_t function);
+// Which outputs to hide: those with a Location, or depth and sample mask too.
+enum class HiddenOutputs { kColors, kAll };
+
+// Outputs become private variables in the function: its stores reach nobody (unless the function reads them back). Output
+// `except` stays (0: none does).
+Result<Module> hideOutputs(const Module& module, std::uint32_t function, HiddenOutputs hidden, std::uint32_t except = 0);
 
 }  // namespace reprise

@@ -13,6 +13,7 @@
 #include "profiler/measurements/row.h"
 #include "profiler/scenario/scenario.h"
 #include "runtime/base/result.h"
+#include "runtime/package/recipe.h"
 
 namespace reprise {
 
@@ -50,9 +51,9 @@ struct Job {
 
 struct ProbeResult {
   int entry = 0;
-  float payload_min[4] = {}, payload_max[4] = {};
+  ChannelFloats payload_min = {}, payload_max = {};
   float depth_min = 0, depth_max = 0;       // view-linear, over all covered pixels
-  // Covered pixels that hold no payload: it is not finite there or, for candidates in conditional code, not computed.
+  // Covered pixels that hold no valid payload, as it is not finite there.
   std::uint64_t nonfinite_payload = 0;
   std::uint64_t nonfinite_color = 0;        // pixels of the original, rendered to float targets whatever the scenario's are
   std::uint64_t covered = 0;

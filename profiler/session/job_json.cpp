@@ -47,8 +47,8 @@ json probeJson(const ProbeResult& probe) {
 ProbeResult probeFrom(const json& from) {
   ProbeResult probe;
   probe.entry = from.at("entry");
-  const auto low = from.at("payload_min").get<std::array<float, 4>>(), high = from.at("payload_max").get<std::array<float, 4>>();
-  for (std::size_t channel = 0; channel < 4; ++channel) probe.payload_min[channel] = low[channel], probe.payload_max[channel] = high[channel];
+  probe.payload_min = from.at("payload_min").get<ChannelFloats>();
+  probe.payload_max = from.at("payload_max").get<ChannelFloats>();
   probe.depth_min = from.at("depth_min");
   probe.depth_max = from.at("depth_max");
   probe.nonfinite_payload = from.at("nonfinite_payload");

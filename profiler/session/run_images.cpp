@@ -102,7 +102,7 @@ class ImageRun {
       REPRISE_ASSIGN(const auto kinds, readback_.read(*stage_.commands, {kind->image, kind->format, kind->extent, kind->layout}));
       REPRISE_TRY(write(kindImage(kinds, cached), "hit_miss" + suffix));
     }
-    if (const auto cache = player.resource("cache")) {
+    if (const auto cache = player.resource(payloadTarget(0))) {
       REPRISE_ASSIGN(const auto bytes, readback_.read(*stage_.commands, {cache->image, cache->format, cache->extent, cache->layout}));
       const PayloadValue& payload = player.recipe().payload.front();
       const std::vector<float> values = payloadFloats(bytes, cache->format, payload);

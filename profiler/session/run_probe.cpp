@@ -9,22 +9,35 @@
 namespace reprise {
 namespace {
 
-// covered: one byte per pixel, 0 where nothing was drawn.
+// A frame's history: RGBA texels of each target of the payload.
 struct ProbedFrame {
-  const std::vector<float>& cache;        // RGBA
-  const std::vector<float>& depth_image;  // RGBA too; empty where depth lies in the cache's alpha
-  const std::vector<std::uint8_t>& covered;
+  std::vector<std::vector<float>> targets;
+  std::vector<float> depth;  // RGBA texels too; empty where depth lies in the alpha of the last target
+
+  float channel(std::size_t pixel, int channel) const {
+    return targets[static_cast<std::size_t>(channel) / 4][pixel * 4 + static_cast<std::size_t>(channel) % 4];
+  }
+  float storedDepth(std::size_t pixel) const { return depth.empty() ? targets.back()[pixel * 4 + 3] : depth[pixel * 4]; }
 };
 
-void widen(const Player& player, const ProbedFrame& frame, ProbeResult& probe) {
-  const std::vector<float>&cache = frame.cache, &depth_image = frame.depth_image;
-  const Recipe& recipe = player.recipe();
-  const int channels = recipe.payload.front().channels;
+void widenByPixel(const std::vector<PayloadValue>& payload, const ProbedFrame& frame, std::size_t pixel, ProbeResult& probe) {
+  for (const PayloadValue& value : payload) {
+    if (value.guard_channel != kNoGuard && frame.channel(pixel, value.guard_channel) == 0) continue;
+    for (int channel = value.first_channel; channel < value.first_channel + value.channels; ++channel) {
+      const auto at = static_cast<std::size_t>(channel);
+      probe.payload_min[at] = std::min(probe.payload_min[at], frame.channel(pixel, channel));
+      probe.payload_max[at] = std::max(probe.payload_max[at], frame.channel(pixel, channel));
+    }
+  }
+}
+
+// covered: one byte per pixel, 0 where nothing was drawn.
+void widen(const Recipe& recipe, const ProbedFrame& frame, const std::vector<std::uint8_t>& covered, ProbeResult& probe) {
   const CacheConstants& constants = recipe.constants;
-  for (std::size_t at = 0; at < cache.size(); at += 4) {
-    const float stored = depth_image.empty() ? cache[at + 3] : depth_image[at];
-    if (frame.covered[at / 4] == 0) continue;
+  for (std::size_t pixel = 0; pixel < covered.size(); ++pixel) {
+    if (covered[pixel] == 0) continue;
     ++probe.covered;
+    const float stored = frame.storedDepth(pixel);
     if (!(stored > 0)) {
       ++probe.nonfinite_payload;
       continue;
@@ -32,26 +45,34 @@ void widen(const Player& player, const ProbedFrame& frame, ProbeResult& probe) {
     const float depth = (stored - constants.depth_range[1]) / constants.depth_range[0];
     probe.depth_min = std::min(probe.depth_min, depth);
     probe.depth_max = std::max(probe.depth_max, depth);
-    for (int channel = 0; channel < channels; ++channel) {
-      const float value = cache[at + static_cast<std::size_t>(channel)];
-      probe.payload_min[channel] = std::min(probe.payload_min[channel], value);
-      probe.payload_max[channel] = std::max(probe.payload_max[channel], value);
-    }
+    widenByPixel(recipe.payload, frame, pixel, probe);
   }
 }
 
-Result<std::vector<float>> readResource(Stage& stage, Readback& readback, const Player& player, const char* name) {
+Result<std::vector<float>> readResource(Stage& stage, Readback& readback, const Player& player, const std::string& name) {
   const auto image = player.resource(name);
   if (!image) return std::vector<float>{};
   REPRISE_ASSIGN(const auto bytes, readback.read(*stage.commands, {image->image, image->format, image->extent, image->layout}));
   return payloadFloats(bytes, image->format, player.recipe().payload.front());
 }
 
+Result<ProbedFrame> readFrame(Stage& stage, Readback& readback, const Player& player) {
+  ProbedFrame frame;
+  for (std::size_t target = 0; target < kMostPayloadTargets; ++target) {
+    REPRISE_ASSIGN(std::vector<float> texels, readResource(stage, readback, player, payloadTarget(target)));
+    if (texels.empty()) break;
+    frame.targets.push_back(std::move(texels));
+  }
+  REPRISE_ASSIGN(frame.depth, readResource(stage, readback, player, kPayloadDepth));
+  return frame;
+}
+
 ProbeResult emptyProbe(std::size_t entry) {
   ProbeResult probe;
   probe.entry = static_cast<int>(entry);
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  for (int channel = 0; channel < 4; ++channel) probe.payload_min[channel] = kInfinity, probe.payload_max[channel] = -kInfinity;
+  probe.payload_min.fill(kInfinity);
+  probe.payload_max.fill(-kInfinity);
   probe.depth_min = kInfinity;
   probe.depth_max = -kInfinity;
   return probe;
@@ -59,7 +80,7 @@ ProbeResult emptyProbe(std::size_t entry) {
 
 // Channels that the payload does not have, and probes that saw nothing, give 0 instead of infinities.
 void settle(ProbeResult& probe) {
-  for (int channel = 0; channel < 4; ++channel)
+  for (std::size_t channel = 0; channel < kMostPayloadChannels; ++channel)
     if (!(probe.payload_max[channel] >= probe.payload_min[channel])) probe.payload_min[channel] = probe.payload_max[channel] = 0;
   if (!(probe.depth_max >= probe.depth_min)) probe.depth_min = probe.depth_max = 0;
 }
@@ -101,10 +122,9 @@ Result<JobResult> runProbe(const Job& job, const JobListener& progress) {
     REPRISE_ASSIGN(const std::vector<std::uint8_t> covered, coveredPixels(*stage, readback));
     for (std::size_t entry = 0; entry < players.size(); ++entry) {
       REPRISE_TRY(render(players[entry]));
-      REPRISE_ASSIGN(const std::vector<float> cache, readResource(*stage, readback, players[entry], "cache"));
-      REPRISE_ASSIGN(const std::vector<float> depth, readResource(*stage, readback, players[entry], "cache_depth"));
+      REPRISE_ASSIGN(const ProbedFrame frame_read, readFrame(*stage, readback, players[entry]));
       // Entries that keep nothing, such as the original, are probed for their colours alone.
-      if (!cache.empty()) widen(players[entry], {cache, depth, covered}, result.probes[entry]);
+      if (!frame_read.targets.empty()) widen(players[entry].recipe(), frame_read, covered, result.probes[entry]);
       result.probes[entry].nonfinite_color += nonfinite;
     }
     if (progress) progress({step + 1, frames});

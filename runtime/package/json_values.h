@@ -9,6 +9,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,8 +49,10 @@ inline nlohmann::json floatJson(float value) {
   return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
 }
 
-inline nlohmann::json floatsJson(const float* values) {
-  return {floatJson(values[0]), floatJson(values[1]), floatJson(values[2]), floatJson(values[3])};
+inline nlohmann::json floatsJson(std::span<const float> values) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const float value : values) list.push_back(floatJson(value));
+  return list;
 }
 
 [[noreturn]] inline void failValue(const char* key, const char* expected) {
@@ -64,10 +67,13 @@ inline float floatFrom(const nlohmann::json& value, const char* key) {
   failValue(key, "a number");
 }
 
-inline std::array<float, 4> floatsAt(const nlohmann::json& from, const char* key) {
+template <std::size_t kCount = 4>
+std::array<float, kCount> floatsAt(const nlohmann::json& from, const char* key) {
   const nlohmann::json& list = from.at(key);
-  if (!list.is_array() || list.size() != 4) failValue(key, "four numbers");
-  return {floatFrom(list[0], key), floatFrom(list[1], key), floatFrom(list[2], key), floatFrom(list[3], key)};
+  if (!list.is_array() || list.size() != kCount) failValue(key, kCount == 4 ? "four numbers" : "sixteen numbers");
+  std::array<float, kCount> values;
+  for (std::size_t i = 0; i < kCount; ++i) values[i] = floatFrom(list[i], key);
+  return values;
 }
 
 inline std::string textAt(const nlohmann::json& from, const char* key) {

@@ -78,4 +78,6 @@ bool isUint(ResourceFormat format) {
          format == ResourceFormat::kRgba32Uint;
 }
 
+std::string payloadTarget(std::size_t target) { return target == 0 ? "cache" : "cache" + std::to_string(target); }
+
 }  // namespace reprise

@@ -24,8 +24,13 @@
 
 namespace reprise {
 
-inline constexpr int kRecipeFormatVersion = 2;
+inline constexpr int kRecipeFormatVersion = 3;
 inline constexpr std::size_t kMostColorTargets = 8;  // of a pass; every desktop device has as many
+inline constexpr std::size_t kMostPayloadTargets = 4;                              // of four channels each
+inline constexpr std::size_t kMostPayloadChannels = 4 * kMostPayloadTargets;
+
+// A number for each channel of a payload; channel c lies in target c / 4.
+using ChannelFloats = std::array<float, kMostPayloadChannels>;
 
 enum class PatternKind { kTiled, kRandom, kInterleaved };
 enum class Filter { kNearest, kBilinear };
@@ -76,18 +81,18 @@ struct FrameUniforms {
   float viewport[4] = {};             // x, y, width, signed height (pixels) of this frame
   float previous_viewport[4] = {};    // of the last frame
   DueBlocks due;
-  float free_payload[4] = {};         // payload of the tail-only limit; no constant, or compilers would fold the tail
+  ChannelFloats free_payload = {};    // payload of the tail-only limit; no constant, or compilers would fold the tail
 };
-static_assert(sizeof(FrameUniforms) == 16 * 5);
+static_assert(sizeof(FrameUniforms) == 16 * 8);
 
 // How payload and depth are encoded. The modules have these numbers as constants; the recipe tells them.
 struct CacheConstants {
   float depth_range[4] = {};              // stored = depth * [0] + [1]; valid stored values lie in [2]..[3]
   float tolerance[4] = {};                // quantization step, slope factor (footprint, pixels), relative epsilon, slope cap; stored units
-  float payload_scale[4] = {1, 1, 1, 1};  // stored = payload * scale + offset
-  float payload_offset[4] = {};
+  ChannelFloats payload_scale = {};       // stored = payload * scale + offset
+  ChannelFloats payload_offset = {};
   float payload_range[4] = {};            // [0], [1]: lowest and highest storable value; outside: stored invalid
-  float free_payload[4] = {};             // FrameUniforms::free_payload
+  ChannelFloats free_payload = {};        // FrameUniforms::free_payload
 };
 
 enum class ResourceFormat {
@@ -114,6 +119,10 @@ struct Resource {
 
 enum class LoadOp { kClear, kLoad, kDontCare };
 enum class BlendKind { kReplace, kAdd };  // kAdd: one + one, for the counting copy
+
+// Names of the resources that hold a payload: "cache", "cache1", ... by target, and its depth where that has an image of its own.
+std::string payloadTarget(std::size_t target);
+inline constexpr const char* kPayloadDepth = "cache_depth";
 
 struct ColorAttachment {
   int app_target = -1;   // index of the application's colour target, or
@@ -173,6 +182,9 @@ struct PreviousInput {
   bool operator==(const PreviousInput&) const = default;
 };
 
+inline constexpr int kNoGuard = -1;
+
+// One of the values that a payload is made of.
 struct PayloadValue {
   std::string name;
   std::string type;  // "float", "ivec3"
@@ -180,6 +192,8 @@ struct PayloadValue {
   int line = 0;
   int column = 0;
   int channels = 1;
+  int first_channel = 0;            // of the payload's
+  int guard_channel = kNoGuard;     // of a value in conditional code: the channel that holds 1 where it was computed, else 0
   std::array<float, 4> range_min = {};  // as seen in training; equal to range_max where not known
   std::array<float, 4> range_max = {};
   std::vector<std::string> inputs;      // what it depends on: "Scene.camera_position", "texture albedo", "varying normal"

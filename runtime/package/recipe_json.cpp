@@ -30,7 +30,7 @@ Enum namedAt(const json& from, const char* key, std::optional<Enum> (*valueOf)(c
 
 json toJson(const Resource& resource) {
   return {{"name", resource.name}, {"format", nameOf(resource.format)}, {"scale", floatJson(resource.scale)},
-          {"lifetime", enumText(kLifetimes, resource.lifetime)}, {"clear", floatsJson(resource.clear.data())}};
+          {"lifetime", enumText(kLifetimes, resource.lifetime)}, {"clear", floatsJson(resource.clear)}};
 }
 
 Resource resourceFrom(const json& from) {
@@ -94,8 +94,9 @@ PreviousInput previousFrom(const json& from) {
 
 json toJson(const PayloadValue& value) {
   return {{"name", value.name}, {"type", value.type}, {"file", value.file}, {"line", value.line}, {"column", value.column},
-          {"channels", value.channels}, {"range_min", floatsJson(value.range_min.data())},
-          {"range_max", floatsJson(value.range_max.data())}, {"inputs", value.inputs}};
+          {"channels", value.channels}, {"first_channel", value.first_channel}, {"guard_channel", value.guard_channel},
+          {"range_min", floatsJson(value.range_min)},
+          {"range_max", floatsJson(value.range_max)}, {"inputs", value.inputs}};
 }
 
 std::string textFrom(const json& from) {
@@ -105,7 +106,8 @@ std::string textFrom(const json& from) {
 
 PayloadValue payloadFrom(const json& from) {
   return {textAt(from, "name"), textAt(from, "type"), textAt(from, "file"), integerAt<int>(from, "line"),
-          integerAt<int>(from, "column"), integerAt<int>(from, "channels"), floatsAt(from, "range_min"),
+          integerAt<int>(from, "column"), integerAt<int>(from, "channels"), integerAt<int>(from, "first_channel"),
+          integerAt<int>(from, "guard_channel"), floatsAt(from, "range_min"),
           floatsAt(from, "range_max"), listAt<std::string>(from, "inputs", textFrom)};
 }
 
@@ -113,14 +115,18 @@ json toJson(const ModuleEntry& entry) { return {{"name", entry.name}, {"stage", 
 
 ModuleEntry moduleFrom(const json& from) { return {textAt(from, "name"), textAt(from, "stage"), textAt(from, "hash")}; }
 
-constexpr std::pair<const char*, float (CacheConstants::*)[4]> kConstants[] = {
-    {"depth_range", &CacheConstants::depth_range},       {"tolerance", &CacheConstants::tolerance},
-    {"payload_scale", &CacheConstants::payload_scale},   {"payload_offset", &CacheConstants::payload_offset},
-    {"payload_range", &CacheConstants::payload_range},   {"free_payload", &CacheConstants::free_payload}};
+constexpr std::pair<const char*, float (CacheConstants::*)[4]> kConstants[] = {{"depth_range", &CacheConstants::depth_range},
+                                                                              {"tolerance", &CacheConstants::tolerance},
+                                                                              {"payload_range", &CacheConstants::payload_range}};
+constexpr std::pair<const char*, ChannelFloats CacheConstants::*> kChannelConstants[] = {
+    {"payload_scale", &CacheConstants::payload_scale},
+    {"payload_offset", &CacheConstants::payload_offset},
+    {"free_payload", &CacheConstants::free_payload}};
 
 json toJson(const CacheConstants& constants) {
   json object = json::object();
   for (const auto& [key, member] : kConstants) object[key] = floatsJson(constants.*member);
+  for (const auto& [key, member] : kChannelConstants) object[key] = floatsJson(constants.*member);
   return object;
 }
 
@@ -130,6 +136,7 @@ CacheConstants constantsFrom(const json& from) {
     const std::array<float, 4> values = floatsAt(from, key);
     std::copy(values.begin(), values.end(), constants.*member);
   }
+  for (const auto& [key, member] : kChannelConstants) constants.*member = floatsAt<kMostPayloadChannels>(from, key);
   return constants;
 }
 

@@ -191,7 +191,7 @@ FrameUniforms Player::State::uniformsOf(const FrameInputs& inputs) const {
   uniforms.history_valid = history_valid ? 1 : 0;
   uniforms.due = dueBlocks({recipe->pattern, inputs.period_frames, recipe->block_pixels}, uniforms.frame,
                            static_cast<std::uint32_t>(inputs.viewport.width), static_cast<std::uint32_t>(std::abs(inputs.viewport.height)));
-  std::copy_n(recipe->constants.free_payload, 4, uniforms.free_payload);
+  uniforms.free_payload = recipe->constants.free_payload;
   write(uniforms.viewport, inputs.viewport);
   write(uniforms.previous_viewport, history_valid ? previous_viewport : inputs.viewport);
   return uniforms;

@@ -127,7 +127,7 @@ TEST(Places, AreFileLineAndColumnOfTheName) {
 
 TEST(Places, AreUnknownInTheColumnWithoutTheSource) {
   const auto shader = analysedMain("float vein = sin(p.x);\ncolor = vec4(vein * q);");
-  const Place place = placeOf(shader->shader, shader->named("vein").value, {});
+  const Place place = placeOf(shader->shader, shader->named("vein").values.front().value, {});
   EXPECT_EQ(place, (Place{"test.frag", 8, 0}));
 }
 

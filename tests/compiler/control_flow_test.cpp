@@ -5,6 +5,7 @@
 
 #include "compiler/analysis/value_graph.h"
 #include "compiler/ir/control_flow.h"
+#include "compiler/ir/optimize.h"
 #include "tests/compiler/analysed_shader.h"
 
 namespace reprise {
@@ -114,14 +115,15 @@ TEST(ControlFlow, ALoopWithoutAWayOutIsALoopAndItsBranchesControl) {
   EXPECT_NE(std::count(flow.controllers[3].begin(), flow.controllers[3].end(), 1), 0);
 }
 
-// Iterations of the only loop of a shader whose main has this loop head.
+// Iterations of the only loop of a shader whose main has this loop head, as it is before short loops are written out.
 int iterationsOf(const std::string& loop) {
-  const auto shader = analysed("#version 450\nlayout(location = 0) in vec4 p;\nlayout(location = 0) out vec4 color;\n"
+  const Module shader = moduleOf("#version 450\nlayout(location = 0) in vec4 p;\nlayout(location = 0) out vec4 color;\n"
                                "void main() {\n  float sum = 0.0;\n  " + loop + "\n  color = vec4(sum);\n}\n");
-  const ControlFlow& flow = shader->analysis.graph.flow;
+  const Module promoted = promoteToSsa(inlineCalls(shader).value()).value();
+  const Function& entry = *findFunction(promoted, promoted.entry_points.front().word(1));
+  const ControlFlow flow = analyseControlFlow(entry);
   REPRISE_CHECK(flow.loops.size() == 1, flow.loops.size());
-  return estimateIterations(shader->shader.module, *findFunction(shader->shader.module, shader->shader.entry_function), flow,
-                            flow.loops[0]);
+  return estimateIterations(promoted, entry, flow, flow.loops[0]);
 }
 
 TEST(Iterations, AreExactForCountedLoops) {

@@ -83,9 +83,12 @@ TEST_P(StrategyOn, EveryKeptCandidateCanBeCached) {
     options.filter = filterFor(candidate, options.filter);
     const Result<BuiltRecipe> built = buildRecipe(subject.program, candidate, options, kAllows);
     ASSERT_TRUE(built.ok()) << candidate.id << ": " << formatError(built.error());
-    ASSERT_EQ(built->recipe.payload.size(), 1u);
-    EXPECT_EQ(built->recipe.payload[0].type, candidate.type);
-    EXPECT_EQ(built->recipe.payload[0].line, candidate.place.line);
+    ASSERT_EQ(built->recipe.payload.size(), candidate.values.size());
+    for (std::size_t i = 0; i < candidate.values.size(); ++i) {
+      EXPECT_EQ(built->recipe.payload[i].type, candidate.values[i].type);
+      EXPECT_EQ(built->recipe.payload[i].line, candidate.values[i].place.line);
+      EXPECT_EQ(built->recipe.payload[i].first_channel, candidate.values[i].first_channel);
+    }
   }
 }
 
@@ -245,7 +248,7 @@ TEST(CacheLayout, RangesComeBackFromTheConstantsTheyMade) {
   const BuiltRecipe again = buildRecipe(straightLine().program, straightLine().first(), options, kAllows).value();
   EXPECT_NEAR(options.ranges.depth_near, ranges.depth_near, 1e-4);
   EXPECT_NEAR(options.ranges.depth_far, ranges.depth_far, 1e-3);
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < built.recipe.payload.front().channels; ++i) {
     EXPECT_NEAR(again.recipe.constants.payload_scale[i], built.recipe.constants.payload_scale[i], 1e-4) << i;
     EXPECT_NEAR(again.recipe.constants.payload_offset[i], built.recipe.constants.payload_offset[i], 1e-4) << i;
   }
@@ -257,9 +260,9 @@ TEST(CacheLayout, IntegersLieInUintFormatsWhateverTheEncoding) {
   for (const Encoding encoding : {Encoding::kRgba8, Encoding::kRgba16, Encoding::kRgba16f, Encoding::kRgba32f})
     for (int channels = 1; channels <= 4; ++channels) {
       const CacheLayout layout = cacheLayout(channels, encoding, true);
-      EXPECT_EQ(layout.payload_format, expected[channels - 1]);
+      EXPECT_EQ(layout.payload_formats, std::vector<ResourceFormat>{expected[channels - 1]});
       EXPECT_FALSE(layout.depth_in_alpha || layout.affine || layout.narrow);
-      EXPECT_EQ(layout.bytes_per_pixel, bytesPerPixel(layout.payload_format) + 4);
+      EXPECT_EQ(layout.bytes_per_pixel, bytesPerPixel(expected[channels - 1]) + 4);
     }
 }
 
@@ -269,6 +272,27 @@ TEST(CacheLayout, DepthHasAnImageOfItsOwnWhereAlphaIsTakenOrHasEightBits) {
     EXPECT_EQ(cacheLayout(channels, Encoding::kRgba16f).depth_in_alpha, channels < 4) << channels;
     EXPECT_EQ(cacheLayout(channels, Encoding::kRgba32f).depth_in_alpha, channels < 4) << channels;
   }
+}
+
+TEST(CacheLayout, SeveralTargetsShareOneDepthInTheLast) {
+  const CacheLayout five = cacheLayout(5, Encoding::kRgba16f);
+  EXPECT_EQ(five.payload_formats, (std::vector<ResourceFormat>{ResourceFormat::kRgba16Sfloat, ResourceFormat::kRg16Sfloat}));
+  EXPECT_TRUE(five.narrow && five.depth_in_alpha);
+  EXPECT_EQ(five.bytes_per_pixel, 8 + 4);
+  const CacheLayout sixteen = cacheLayout(16, Encoding::kRgba8);
+  EXPECT_EQ(sixteen.payload_formats, std::vector<ResourceFormat>(4, ResourceFormat::kRgba8Unorm));
+  EXPECT_FALSE(sixteen.depth_in_alpha);
+  EXPECT_EQ(sixteen.bytes_per_pixel, 4 * 4 + 2);
+}
+
+TEST(CacheLayout, GuardsAreStoredAsTheyAre) {
+  ValueRanges ranges;
+  ranges.payload_min.fill(3);
+  ranges.payload_max.fill(5);
+  const CacheConstants constants = encodingConstants(cacheLayout(4, Encoding::kRgba8), Encoding::kRgba8, Filter::kNearest, ranges, {3});
+  EXPECT_NE(constants.payload_scale[0], 1);
+  EXPECT_EQ(constants.payload_scale[3], 1);
+  EXPECT_EQ(constants.payload_offset[3], 0);
 }
 
 }  // namespace

@@ -6,6 +6,14 @@
 
 namespace reprise {
 
+namespace {
+
+bool allNamed(const Candidate& candidate) {
+  return std::all_of(candidate.values.begin(), candidate.values.end(), [](const CandidateValue& value) { return !value.name.empty(); });
+}
+
+}  // namespace
+
 std::unique_ptr<LawScene> LawScene::open(const std::string& scenario_file, bool validation, std::uint32_t magnified) {
   auto scene = std::make_unique<LawScene>();
   scene->subject_ = readSubject(scenario_file).value();
@@ -23,8 +31,17 @@ std::unique_ptr<LawScene> LawScene::open(const std::string& scenario_file, bool 
 }
 
 const Candidate& LawScene::candidate() const {
-  for (const Candidate& candidate : subject_.candidates)
-    if (candidate.kept() && !candidate.conditional && candidate.share < 0.9) return candidate;
+  const std::string& scenario = subject_.scenario.name;
+  for (const Candidate& candidate : subject_.candidates) {
+    if (!candidate.kept() || candidate.share >= 0.97) continue;
+    const bool several = candidate.values.size() > 1, regrouped = isRegrouped(candidate);
+    const bool wanted = scenario == "several_values" ? several && candidate.channels > 4 && allNamed(candidate)
+                        : scenario == "guarded"      ? candidate.conditional
+                        : scenario == "regrouped"    ? regrouped
+                        : scenario == "loop_result"  ? candidate.name == "sum"
+                                                     : !several && !regrouped && !candidate.conditional && candidate.share < 0.9;
+    if (wanted) return candidate;
+  }
   REPRISE_CHECK(!subject_.candidates.empty(), subject_.scenario.path);
   return subject_.candidates.front();
 }
@@ -33,7 +50,8 @@ ValueRanges LawScene::ranges() const {
   ValueRanges ranges;
   ranges.depth_near = subject_.orthographic ? 0 : 0.5f;
   ranges.depth_far = subject_.orthographic ? 1 : 20.0f;
-  for (std::size_t channel = 0; channel < 4; ++channel) ranges.payload_min[channel] = -0.5f, ranges.payload_max[channel] = 2.0f;
+  ranges.payload_min.fill(-0.5f);
+  ranges.payload_max.fill(2.0f);
   return ranges;
 }
 

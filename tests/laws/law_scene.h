@@ -32,7 +32,8 @@ class LawScene {
   const Subject& subject() const { return subject_; }
   const Context& context() const { return *context_; }
   Subject& subject() { return subject_; }
-  // The kept candidate with the largest share that is computed for every pixel and is not the whole shader.
+  // The kept candidate with the largest share that is not the whole shader: of the kind that the scenario is named for
+  // (several_values, guarded, regrouped, loop_result), else a single value that is computed for every pixel.
   const Candidate& candidate() const;
   ValueRanges ranges() const;
 

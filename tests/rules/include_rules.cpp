@@ -22,7 +22,7 @@ const std::vector<FolderRule> kFolderRules = {
     {kSource, {"runtime/package"}},
     {kIr, {kSource}},
     {kAnalysis, {kSource, kIr}},
-    {kCandidates, {kSource, kIr, kAnalysis}},
+    {kCandidates, {kSource, kIr, kAnalysis, "runtime/package"}},
     {kTransforms, {kSource, kIr, kAnalysis, kCandidates, "runtime/package"}},
     {kStrategies, {kSource, kIr, kAnalysis, kCandidates, kTransforms, "runtime/package"}},
     {kEmit, {kSource, kIr, kAnalysis, kCandidates, kTransforms, kStrategies, "runtime/package"}},

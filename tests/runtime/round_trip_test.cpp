@@ -69,14 +69,16 @@ PreviousInput anyPrevious() {
 }
 
 PayloadValue anyPayload() {
-  return {anyText(), anyText(), anyText(), anyInt(), anyInt(), anyInt(), anyFloats(), anyFloats(), some<std::string>(anyText)};
+  return {anyText(), anyText(), anyText(), anyInt(), anyInt(), anyInt(), anyInt(),
+          anyInt(),  anyFloats(), anyFloats(), some<std::string>(anyText)};
 }
 
 CacheConstants anyConstants() {
   CacheConstants constants;
-  for (float(*vector)[4] : {&constants.depth_range, &constants.tolerance, &constants.payload_scale, &constants.payload_offset,
-                            &constants.payload_range, &constants.free_payload})
+  for (float(*vector)[4] : {&constants.depth_range, &constants.tolerance, &constants.payload_range})
     for (float& value : *vector) value = anyFloat();
+  for (ChannelFloats* channels : {&constants.payload_scale, &constants.payload_offset, &constants.free_payload})
+    for (float& value : *channels) value = anyFloat();
   return constants;
 }
 

@@ -37,7 +37,7 @@ Recipe cachedRecipe() {
   recipe.passes[1].name = "misses";
   recipe.passes[1].reads.clear();
   recipe.passes[1].depth_clear = false;
-  recipe.payload = {{"noise", "float", "marble.frag", 12, 3, 1, {0.25f, 0, 0, 0}, {0.5f, 0, 0, 0}, {"Scene.scale", "texture albedo"}}};
+  recipe.payload = {{"noise", "float", "marble.frag", 12, 3, 1, 0, kNoGuard, {0.25f, 0, 0, 0}, {0.5f, 0, 0, 0}, {"Scene.scale", "texture albedo"}}};
   recipe.previous_inputs = {{PreviousSource::kUniformBlock, "Scene", 0, 1, 64, 16},
                             {PreviousSource::kPushConstants, "Draw", 0, 0, 16, 16}};
   return recipe;

@@ -120,7 +120,7 @@ void main() {
   recipe.resources = {{"cache", ResourceFormat::kRgba32Sfloat, 1, Lifetime::kHistory, {0, 0, 0, 0}}};
   recipe.passes[0].colors.push_back({-1, "cache", LoadOp::kClear, BlendKind::kReplace, 2});
   recipe.passes[0].reads = {{"cache", 2, Filter::kNearest, false}};
-  recipe.payload = {{"noise", "vec4", "small", 1, 1, 4, {}, {}, {"Scene.light", "texture albedo"}}};
+  recipe.payload = {{"noise", "vec4", "small", 1, 1, 4, 0, kNoGuard, {}, {}, {"Scene.light", "texture albedo"}}};
   return package;
 }
 

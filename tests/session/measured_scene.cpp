@@ -34,7 +34,7 @@ MeasuredScene::MeasuredScene(const std::string& scenario)
 std::string MeasuredScene::variant(const std::string& name, const VariantOptions& options, const std::string& payload) const {
   const auto found = std::find_if(candidates_.begin(), candidates_.end(), [&](const Candidate& candidate) {
     if (!payload.empty()) return candidate.name == payload;
-    return candidate.kept() && !candidate.conditional && candidate.share < 0.9;
+    return candidate.kept() && candidate.values.size() == 1 && !candidate.conditional && candidate.share < 0.9;
   });
   REPRISE_CHECK(found != candidates_.end(), scenario_);
   const std::string directory = (folder_ / name).string();

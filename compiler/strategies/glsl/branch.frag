@@ -1,22 +1,24 @@
 // One pass: look up, then run the one or the other (Nehab et al. 2007, section 3.4).
 #include "frame_uniforms.glsl"
 #include "refresh.glsl"
+#include "decode.glsl"
 #include "cache.glsl"
-#include "lookup.glsl"
+#include "history.glsl"
 #include "body.glsl"
+#include "lookup.glsl"
 #include "count.glsl"
 
 void main() {
-  PAYLOAD_VEC texel;
+  PAYLOAD_VEC texel[TARGETS];
   bool hit = repriseLookup(texel);
-  reprise_payload_valid = 0u;
-  reprise_payload = hit ? repriseDecode(texel) : PAYLOAD_VEC(0);
   if (hit) {
+    repriseDecode(texel, reprise_payload);
     reprise_hit();
     repriseCarry(texel);
   } else {
+    reprise_payload = PAYLOAD_INITIAL;
     reprise_miss();
-    repriseStore(reprise_payload, reprise_payload_valid != 0u);
+    repriseStore(reprise_payload);
   }
   repriseCount(hit);
 }

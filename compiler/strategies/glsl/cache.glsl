@@ -6,14 +6,17 @@
 // Depth is view-linear (clip w, or z for orthographic cameras), mapped to [1/16, 1]; 0 is "nothing valid here".
 // DEPTH_RANGE, PAYLOAD_SCALE, ...: struct CacheConstants of runtime/package/recipe.h.
 // PAYLOAD_VEC: vec4, or uvec4 for INTEGER payloads, which are kept bit by bit in an image of their own.
-// NARROW: one channel of payload and the depth beside it, in a two-channel format.
+// NARROW: the last target has one channel of payload and the depth beside it, in a two-channel format.
+#if TARGETS > 1
+layout(location = CACHE_LOCATION) out PAYLOAD_VEC reprise_full_cache[TARGETS - 1];
+#endif
 #if NARROW
-layout(location = CACHE_LOCATION) out vec2 reprise_cache;
+layout(location = CACHE_LOCATION + TARGETS - 1) out vec2 reprise_cache;
 #else
-layout(location = CACHE_LOCATION) out PAYLOAD_VEC reprise_cache;
+layout(location = CACHE_LOCATION + TARGETS - 1) out PAYLOAD_VEC reprise_cache;
 #endif
 #if !DEPTH_IN_ALPHA
-layout(location = CACHE_LOCATION + 1) out float reprise_cache_depth;
+layout(location = CACHE_LOCATION + TARGETS) out float reprise_cache_depth;
 #endif
 
 float repriseStoredDepth(float depth) { return depth * DEPTH_RANGE.x + DEPTH_RANGE.y; }
@@ -27,51 +30,60 @@ float repriseViewDepth() {
 }
 
 // False for NaN and infinity too. Only the channels that the payload has count.
-bool repriseStorable(PAYLOAD_VEC encoded) {
+bool repriseStorable(PAYLOAD_VEC encoded[TARGETS]) {
 #if INTEGER
   return true;
 #else
   vec2 range = PAYLOAD_RANGE.xy;
-#if CHANNELS == 1
-  bool high_enough = encoded.x >= range.x;
-  bool low_enough = encoded.x <= range.y;
-#elif CHANNELS == 2
-  bool high_enough = all(greaterThanEqual(encoded.xy, range.xx));
-  bool low_enough = all(lessThanEqual(encoded.xy, range.yy));
-#elif CHANNELS == 3
-  bool high_enough = all(greaterThanEqual(encoded.xyz, range.xxx));
-  bool low_enough = all(lessThanEqual(encoded.xyz, range.yyy));
+  vec4 last = encoded[TARGETS - 1];
+#if LAST_CHANNELS == 1
+  bool high_enough = last.x >= range.x;
+  bool low_enough = last.x <= range.y;
+#elif LAST_CHANNELS == 2
+  bool high_enough = all(greaterThanEqual(last.xy, range.xx));
+  bool low_enough = all(lessThanEqual(last.xy, range.yy));
+#elif LAST_CHANNELS == 3
+  bool high_enough = all(greaterThanEqual(last.xyz, range.xxx));
+  bool low_enough = all(lessThanEqual(last.xyz, range.yyy));
 #else
-  bool high_enough = all(greaterThanEqual(encoded, range.xxxx));
-  bool low_enough = all(lessThanEqual(encoded, range.yyyy));
+  bool high_enough = all(greaterThanEqual(last, range.xxxx));
+  bool low_enough = all(lessThanEqual(last, range.yyyy));
 #endif
-  return high_enough && low_enough;
+  bool storable = high_enough && low_enough;
+#if TARGETS > 1
+  for (int target = 0; target < TARGETS - 1; ++target) {
+    high_enough = all(greaterThanEqual(encoded[target], range.xxxx));
+    low_enough = all(lessThanEqual(encoded[target], range.yyyy));
+    storable = storable && high_enough;
+    storable = storable && low_enough;
+  }
+#endif
+  return storable;
 #endif
 }
 
-PAYLOAD_VEC repriseEncode(PAYLOAD_VEC payload) {
+void repriseEncode(PAYLOAD_VEC payload[TARGETS], out PAYLOAD_VEC encoded[TARGETS]) {
 #if AFFINE
-  return payload * PAYLOAD_SCALE + PAYLOAD_OFFSET;
+  const vec4 scale[TARGETS] = PAYLOAD_SCALE;
+  const vec4 offset[TARGETS] = PAYLOAD_OFFSET;
+#define ENCODE(target) encoded[target] = payload[target] * scale[target] + offset[target];
+  EACH_TARGET(ENCODE)
 #else
-  return payload;
+  encoded = payload;
 #endif
 }
 
-PAYLOAD_VEC repriseDecode(PAYLOAD_VEC encoded) {
-#if AFFINE
-  return (encoded - PAYLOAD_OFFSET) * (1.0 / PAYLOAD_SCALE);
-#else
-  return encoded;
+void repriseWrite(PAYLOAD_VEC encoded[TARGETS], float depth) {
+#if TARGETS > 1
+  for (int target = 0; target < TARGETS - 1; ++target) reprise_full_cache[target] = encoded[target];
 #endif
-}
-
-void repriseWrite(PAYLOAD_VEC encoded, float depth) {
+  PAYLOAD_VEC last = encoded[TARGETS - 1];
 #if NARROW
-  reprise_cache = vec2(encoded.x, depth);
+  reprise_cache = vec2(last.x, depth);
 #elif DEPTH_IN_ALPHA
-  reprise_cache = vec4(encoded.rgb, depth);
+  reprise_cache = vec4(last.rgb, depth);
 #else
-  reprise_cache = encoded;
+  reprise_cache = last;
   reprise_cache_depth = depth;
 #endif
 }
@@ -85,15 +97,16 @@ float repriseKeptDepth() {
 
 // A payload computed now. KEEP_RAW: a later pass of this frame reads the payload back, so it is stored even where it is not fit
 // to be reused.
-void repriseStore(PAYLOAD_VEC payload, bool valid) {
-  PAYLOAD_VEC encoded = repriseEncode(payload);
+void repriseStore(PAYLOAD_VEC payload[TARGETS]) {
+  PAYLOAD_VEC encoded[TARGETS];
+  repriseEncode(payload, encoded);
   bool storable = repriseStorable(encoded);
-  valid = valid && storable;
 #if !KEEP_RAW
-  encoded = valid ? encoded : PAYLOAD_VEC(0);
+#define CLEAR(target) encoded[target] = storable ? encoded[target] : PAYLOAD_VEC(0);
+  EACH_TARGET(CLEAR)
 #endif
-  repriseWrite(encoded, valid ? repriseKeptDepth() : 0.0);
+  repriseWrite(encoded, storable ? repriseKeptDepth() : 0.0);
 }
 
 // A hit's texel goes on as it was fetched: it was fit to be stored once, and encoding it anew could only round it out of range.
-void repriseCarry(PAYLOAD_VEC texel) { repriseWrite(texel, repriseKeptDepth()); }
+void repriseCarry(PAYLOAD_VEC texel[TARGETS]) { repriseWrite(texel, repriseKeptDepth()); }

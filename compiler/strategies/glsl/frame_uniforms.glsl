@@ -8,5 +8,5 @@ layout(set = REPRISE_SET, binding = 0, std140) uniform RepriseFrame {
   vec4 viewport;
   vec4 previous_viewport;
   uvec4 due;            // which blocks are due: struct DueBlocks of runtime/package/recipe.h
-  vec4 free_payload;
+  vec4 free_payload[4];
 } reprise;

@@ -5,13 +5,13 @@
 // and depth alike: a footprint across a depth edge gives a depth that matches no surface, hence a miss. So does what lies
 // outside the image, where the sampler's border is 0, and what lies outside the viewport, where nothing was drawn.
 layout(location = PREVIOUS_LOCATION) in vec3 reprise_previous;
-layout(set = REPRISE_SET, binding = 2) uniform PAYLOAD_SAMPLER reprise_history;
 #if !DEPTH_IN_ALPHA
-layout(set = REPRISE_SET, binding = 3) uniform sampler2D reprise_history_depth;
+layout(set = REPRISE_SET, binding = 2 + TARGETS) uniform sampler2D reprise_history_depth;
 #endif
 
 // texel: what the history holds, encoded; meaningless for a miss.
-bool repriseLookup(out PAYLOAD_VEC texel) {
+// A hit has every guarded value that the pixel needs, from all of its taps (GUARDS_HOLD: by guards, which are 0 or 1 before filtering).
+bool repriseLookup(out PAYLOAD_VEC texel[TARGETS]) {
   float depth = reprise_previous.z;
 #if ORTHOGRAPHIC
   vec2 at = reprise_previous.xy;
@@ -29,11 +29,11 @@ bool repriseLookup(out PAYLOAD_VEC texel) {
   float slope = min((abs(dFdx(expected)) + abs(dFdy(expected))) * TOLERANCE.y, TOLERANCE.w);
   float tolerance = TOLERANCE.x + slope + TOLERANCE.z * expected;
 
-  texel = textureLod(reprise_history, at, 0.0);
+  repriseFetch(at, texel);
 #if NARROW
-  float stored = texel.g;
+  float stored = texel[TARGETS - 1].g;
 #elif DEPTH_IN_ALPHA
-  float stored = texel.a;
+  float stored = texel[TARGETS - 1].a;
 #else
   float stored = textureLod(reprise_history_depth, at, 0.0).r;
 #endif
@@ -48,6 +48,12 @@ bool repriseLookup(out PAYLOAD_VEC texel) {
   bool storable = repriseStorable(texel);
   hit = hit && storable;
 #endif
+#if GUARDED
+  reprise_wanted = 0u;
+  reprise_wants();
+  bool guarded = GUARDS_HOLD;
+  hit = hit && guarded;
+#endif
 #if QUAD_UNIFORM
   // One miss makes the quad miss, so that implicit derivatives see four lanes of one path; helper lanes have no vote.
   float miss = hit || gl_HelperInvocation ? 0.0 : 1.0;
@@ -57,16 +63,17 @@ bool repriseLookup(out PAYLOAD_VEC texel) {
 #endif
 #if POISONED
   // For tests: hits get what no shader computed, and keep their depth. Integers stay near: they may bound a loop.
+  PAYLOAD_VEC clean = texel[TARGETS - 1];
 #if INTEGER
-  texel ^= 1u;
+#define POISON(target) texel[target] ^= 1u;
 #else
-  vec4 clean = texel;
-  texel = texel * -3.0 + 7.5;
-#if NARROW
-  texel.g = clean.g;
-#elif DEPTH_IN_ALPHA
-  texel.a = clean.a;
+#define POISON(target) texel[target] = texel[target] * -3.0 + 7.5;
 #endif
+  EACH_TARGET(POISON)
+#if NARROW
+  texel[TARGETS - 1].g = clean.g;
+#elif DEPTH_IN_ALPHA
+  texel[TARGETS - 1].a = clean.a;
 #endif
 #endif
   return hit;

@@ -3,10 +3,12 @@
 #include "body.glsl"
 
 void main() {
+  for (int target = 0; target < TARGETS; ++target) {
 #if SIGNED
-  reprise_payload = PAYLOAD_VEC(ivec4(reprise.free_payload));
+    reprise_payload[target] = PAYLOAD_VEC(ivec4(reprise.free_payload[target]));
 #else
-  reprise_payload = PAYLOAD_VEC(reprise.free_payload);
+    reprise_payload[target] = PAYLOAD_VEC(reprise.free_payload[target]);
 #endif
+  }
   reprise_hit();
 }

@@ -1,0 +1,19 @@
+// Short loops written out, so that their terms are values of their own: a filter's 25 samples, say.
+#pragma once
+
+#include <cstdint>
+
+#include "compiler/ir/module.h"
+#include "runtime/base/result.h"
+
+namespace reprise {
+
+inline constexpr int kMostUnrolledIterations = 32;
+inline constexpr int kMostUnrolledInstructions = 1024;  // of a loop, written out, inner loops too
+
+// Loops of constant trip count (trip_count.h) within these limits are replaced by their iterations, which keep their order; index
+// arithmetic is folded. Other loops stay. Floats are left alone: what drivers fold they fold themselves (law 1). Errors:
+// spirv.optimize.
+Result<Module> unrollShortLoops(const Module& module, std::uint32_t function);
+
+}  // namespace reprise
