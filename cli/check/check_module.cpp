@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "cli/check/capabilities.h"
+#include "cli/check/endless_loops.h"
 #include "cli/check/frame_laws.h"
 #include "compiler/ir/reproducible.h"
 #include "compiler/source/harness_vertex.h"
@@ -87,6 +88,7 @@ class ModuleCheck {
  private:
   void end(Verdict verdict, const std::string& code, const std::string& reason) {
     verdict_.verdict = verdict;
+    verdict_.seed = seed_;
     verdict_.code = code;
     verdict_.reason = reason;
   }
@@ -307,6 +309,7 @@ Result<ModuleVerdict> checkCompiled(const CheckRequest& request, const std::func
     return ModuleCheck(request, context, commands, original_runs).run(shader, tolerance);
   };
   ModuleVerdict verdict = check(fragment, 0);
+  if (verdict.verdict == Verdict::kFailed) REPRISE_TRY(refuseEndless(fragment, verdict.seed, context, commands));
   if (verdict.verdict != Verdict::kFailed || verdict.code == "law.depth" || verdict.code == "law.books") return verdict;
   // A driver may round the same expression differently in another surrounding. That is no fault of the rewrite if it is little, and if
   // it is next to nothing, or gone where the driver has no such freedom.

@@ -54,6 +54,13 @@ std::optional<Violation> findViolation(const HarnessFrame& original, const Harne
   return std::nullopt;
 }
 
+bool sameColors(const HarnessFrame& a, const HarnessFrame& b, double tolerance) {
+  for (std::size_t output = 0; output < a.colors.size(); ++output)
+    for (std::size_t pixel = 0; pixel < a.depth.size(); ++pixel)
+      if (!samePixel(a.colors[output], b.colors[output], pixel, tolerance)) return false;
+  return true;
+}
+
 std::string whyMeaningless(const HarnessFrame& original, const std::vector<FragmentOutput>& outputs) {
   std::size_t drawn = 0, finite = 0;
   bool varies = false;

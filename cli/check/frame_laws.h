@@ -27,6 +27,9 @@ struct ColorLaw {
 // Depth must equal the original's everywhere, and exactly the pixels that are neither hit nor miss must show the clear depth.
 std::optional<Violation> findViolation(const HarnessFrame& original, const HarnessFrame& played, const ColorLaw& law);
 
+// Whether two originals' frames have the same colours, within a tolerance as ColorLaw has it.
+bool sameColors(const HarnessFrame& a, const HarnessFrame& b, double tolerance);
+
 // Of the original's frame: why it would show nothing, or "": too little covered, not finite, or the same everywhere.
 std::string whyMeaningless(const HarnessFrame& original, const std::vector<FragmentOutput>& outputs);
 

@@ -24,6 +24,7 @@ struct ModuleVerdict {
   std::string reason;  // one sentence; for a broken law the smallest case and the command that repeats it
   int candidates = 0;  // tried
   int variants = 0;    // that held all laws
+  std::uint32_t seed = 0;  // of the inputs that decided
   std::vector<std::string> refused_strategies;  // "two_pass: state.depth_compare"
   double seconds = 0;
 };

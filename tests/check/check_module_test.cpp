@@ -75,6 +75,18 @@ TEST_F(CheckModule, SaysWhenInputsShowNothing) {
   EXPECT_NE(verdict.reason.find("the same everywhere"), std::string::npos) << verdict.reason;
 }
 
+// Where the device ends an endless loop the shader's other loops end with it, on either side as it happens.
+TEST_F(CheckModule, EndlessLoopsAreTheShadersOwnFault) {
+  const ModuleVerdict verdict = checkText(std::string(kHead) +
+                                          "void main() {\n  float sum = 0.0;\n"
+                                          "  for (int i = 0; i < 40; i += min(int(abs(place.x) * 50.0), 20)) sum += 0.01;\n"
+                                          "  int key = int(place.y * 9.0) * 7;\n"
+                                          "  do { sum += 10.0 + sin(float(key)); } while (sum < 100.0);\n"
+                                          "  color = vec4(sum * exp(sin(float(key)) * 0.1) * exp(place.z * 0.1));\n}\n");
+  EXPECT_EQ(verdict.verdict, Verdict::kUntestable) << verdict.code << ' ' << verdict.reason;
+  EXPECT_EQ(verdict.code, "original.endless");
+}
+
 TEST_F(CheckModule, UndefinedValuesAreNoDifference) {
   const ModuleVerdict verdict = checkText(std::string(kHead) + "void main() { vec4 sum; sum.xyz += sin(place * 5.0); color = sum; }\n");
   EXPECT_EQ(verdict.verdict, Verdict::kVerified) << verdict.code << ' ' << verdict.reason;

@@ -88,7 +88,7 @@ TEST_F(RunModules, AnInterruptStopsEveryWorker) {
 }
 
 TEST(VerdictJson, ComesBackAsItWas) {
-  ModuleVerdict verdict{"a \"b\".frag", Verdict::kFailed, "law.misses_exact", "x", 2, 3, {"two_pass: state.depth_compare"}, 1.5};
+  ModuleVerdict verdict{"a \"b\".frag", Verdict::kFailed, "law.misses_exact", "x", 2, 3, 1, {"two_pass: state.depth_compare"}, 1.5};
   const ModuleVerdict back = verdictFromJson(verdictToJson(verdict));
   EXPECT_EQ(verdictToJson(back), verdictToJson(verdict));
   EXPECT_EQ(back.path, verdict.path);

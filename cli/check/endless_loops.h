@@ -1,0 +1,18 @@
+// Whether a shader's made-up inputs lead it into loops that do not end by themselves: it is nothing to compare with then.
+#pragma once
+
+#include "compiler/source/compile.h"
+#include "runtime/base/result.h"
+#include "runtime/vulkan/commands.h"
+#include "runtime/vulkan/context.h"
+
+namespace reprise {
+
+// More than this many iterations in one invocation count as endless; lavapipe stops all loops after 65,535.
+inline constexpr std::uint32_t kEndlessIterations = 60000;
+
+// Looked for where a law is broken, with the inputs of one seed. Error (kInput): original.endless, where a copy that ends its loops
+// after so many iterations shows another image (by more than 1e-3 of the value). Or those of the harness.
+Result<void> refuseEndless(const CompiledShader& fragment, std::uint32_t seed, const Context& context, Commands& commands);
+
+}  // namespace reprise
