@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <map>
+#include <unordered_map>
 
+#include "compiler/analysis/components.h"
 #include "compiler/analysis/operation_cost.h"
 
 namespace reprise {
@@ -30,28 +33,42 @@ const char* builtInName(std::uint32_t built_in) {
 
 class InputFinder {
  public:
-  InputFinder(const PreparedShader& shader, ShaderAnalysis& analysis) : module_(shader.module), analysis_(analysis) {}
+  InputFinder(const PreparedShader& shader, ShaderAnalysis& analysis) : module_(shader.module), analysis_(analysis) {
+    for (const Instruction& global : module_.globals) globals_[global.result_id] = &global;
+  }
 
   // The input that a load through `pointer` reads; none for local variables and constants.
   std::optional<int> inputOf(std::uint32_t pointer) {
-    std::vector<std::uint32_t> indices;
-    const Instruction* variable = findGlobal(module_, pointer);
+    std::uint32_t member = 0;  // the index into the variable itself: that of the innermost chain
+    const Instruction* variable = globalOf(pointer);
     while (variable == nullptr) {
       const auto found = analysis_.graph.node_of.find(pointer);
       if (found == analysis_.graph.node_of.end()) return std::nullopt;
       const Instruction& instruction = *analysis_.graph.nodes[static_cast<std::size_t>(found->second)].instruction;
       if (instruction.opcode != Op::OpAccessChain && instruction.opcode != Op::OpInBoundsAccessChain) return std::nullopt;
-      for (std::size_t i = instruction.operands.size(); i-- > 1;) indices.insert(indices.begin(), instruction.word(i));
-      // Indices were collected innermost first; an outer chain's come before them.
+      if (instruction.operands.size() > 1) member = instruction.word(1);
       pointer = instruction.word(0);
-      variable = findGlobal(module_, pointer);
+      variable = globalOf(pointer);
     }
     if (variable->opcode != Op::OpVariable) return std::nullopt;
-    return describe(*variable, indices);
+    const auto [known, is_new] = found_.try_emplace({pointer, member});
+    if (is_new) known->second = describe(*variable, member);
+    return known->second;
   }
 
+  bool tooMany() const { return too_many_; }
+
  private:
-  std::optional<int> describe(const Instruction& variable, const std::vector<std::uint32_t>& indices) {
+  const Instruction* globalOf(std::uint32_t id) const {
+    const auto found = globals_.find(id);
+    return found == globals_.end() ? nullptr : found->second;
+  }
+
+  std::optional<int> describe(const Instruction& variable, std::uint32_t member) {
+    if (analysis_.inputs.size() == kMostInputs) {
+      too_many_ = true;
+      return std::nullopt;
+    }
     const std::uint32_t id = variable.result_id;
     switch (static_cast<StorageClass>(variable.word(0))) {
       case StorageClass::Input:
@@ -59,19 +76,18 @@ class InputFinder {
           return intern({InputKind::kBuiltIn, builtInName(*built_in)});
         return intern({InputKind::kVarying, orId(nameOf(module_, id), id)});
       case StorageClass::Uniform:
-      case StorageClass::PushConstant: return intern({InputKind::kUniform, memberName(variable, indices)});
+      case StorageClass::PushConstant: return intern({InputKind::kUniform, memberName(variable, member)});
       case StorageClass::UniformConstant: return intern({InputKind::kTexture, orId(nameOf(module_, id), id)});
       case StorageClass::StorageBuffer: return intern({InputKind::kBuffer, orId(nameOf(module_, id), id)});
       default: return std::nullopt;
     }
   }
 
-  std::string memberName(const Instruction& variable, const std::vector<std::uint32_t>& indices) {
-    const Instruction* pointer = findGlobal(module_, variable.type_id);
+  std::string memberName(const Instruction& variable, std::uint32_t member) {
+    const Instruction* pointer = globalOf(variable.type_id);
     const std::uint32_t block = pointer->word(1);
     std::string name = orId(nameOf(module_, block), variable.result_id);
-    if (indices.empty()) return name;
-    const Instruction* index = findGlobal(module_, indices[0]);
+    const Instruction* index = globalOf(member);
     if (index == nullptr || index->opcode != Op::OpConstant) return name;
     return name + "." + memberNameOf(module_, block, index->word(0));
   }
@@ -89,31 +105,43 @@ class InputFinder {
 
   const Module& module_;
   ShaderAnalysis& analysis_;
+  std::unordered_map<std::uint32_t, const Instruction*> globals_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::optional<int>> found_;  // by variable and member
+  bool too_many_ = false;
 };
 
-void addAll(std::vector<int>& to, const std::vector<int>& from, bool& changed) {
-  std::vector<int> merged;
-  merged.reserve(to.size() + from.size());
-  std::set_union(to.begin(), to.end(), from.begin(), from.end(), std::back_inserter(merged));
-  if (merged.size() == to.size()) return;
-  to = std::move(merged);
-  changed = true;
+// Nodes that a node changes with: what it needs and, where it takes effect only if its block runs, the branches that lead there.
+// A pure value is the same wherever it is computed.
+std::vector<int> influencesOf(const ValueGraph& graph, const Node& node) {
+  std::vector<int> influences = node.needs;
+  if (node.instruction->opcode != Op::OpStore && node.instruction->result_id != 0) return influences;
+  for (const int controller : graph.flow.controllers[static_cast<std::size_t>(node.block)])
+    influences.push_back(graph.terminator_of_block[static_cast<std::size_t>(controller)]);
+  return influences;
 }
 
+std::vector<std::vector<int>> influencesOfAll(const ValueGraph& graph) {
+  std::vector<std::vector<int>> influences;
+  influences.reserve(graph.nodes.size());
+  for (const Node& node : graph.nodes) influences.push_back(influencesOf(graph, node));
+  return influences;
+}
+
+// The least fixed point: nodes that influence one another change with the same inputs.
 void propagateInputs(ShaderAnalysis& analysis) {
-  const ValueGraph& graph = analysis.graph;
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
-      const Node& node = graph.nodes[i];
-      for (const int needed : node.needs) addAll(analysis.inputs_of[i], analysis.inputs_of[static_cast<std::size_t>(needed)], changed);
-      // A store takes effect only where its block runs; a pure value is the same wherever it is computed.
-      if (node.instruction->opcode != Op::OpStore && node.instruction->result_id != 0) continue;
-      for (const int controller : graph.flow.controllers[static_cast<std::size_t>(node.block)]) {
-        const int branch = graph.terminator_of_block[static_cast<std::size_t>(controller)];
-        addAll(analysis.inputs_of[i], analysis.inputs_of[static_cast<std::size_t>(branch)], changed);
-      }
+  const std::vector<std::vector<int>> influences = influencesOfAll(analysis.graph);
+  for (const std::vector<int>& component : componentsBehindFirst(influences)) {
+    std::vector<int> inputs, merged;
+    const auto add = [&](const std::vector<int>& more) {
+      merged.clear();
+      std::set_union(inputs.begin(), inputs.end(), more.begin(), more.end(), std::back_inserter(merged));
+      inputs.swap(merged);
+    };
+    for (const int node : component) {
+      add(analysis.inputs_of[static_cast<std::size_t>(node)]);
+      for (const int influence : influences[static_cast<std::size_t>(node)]) add(analysis.inputs_of[static_cast<std::size_t>(influence)]);
     }
+    for (const int node : component) analysis.inputs_of[static_cast<std::size_t>(node)] = inputs;
   }
 }
 
@@ -143,8 +171,11 @@ std::optional<Error> findRefusal(const PreparedShader& shader, const ShaderAnaly
     if (instruction.opcode == Op::OpStore && analysis.graph.nodes[i].root) {
       std::uint32_t pointer = instruction.word(0);
       for (auto found = analysis.graph.node_of.find(pointer); found != analysis.graph.node_of.end();
-           found = analysis.graph.node_of.find(pointer))
-        pointer = analysis.graph.nodes[static_cast<std::size_t>(found->second)].instruction->word(0);
+           found = analysis.graph.node_of.find(pointer)) {
+        const Instruction& chain = *analysis.graph.nodes[static_cast<std::size_t>(found->second)].instruction;
+        if (chain.opcode != Op::OpAccessChain && chain.opcode != Op::OpInBoundsAccessChain) break;
+        pointer = chain.word(0);
+      }
       const Instruction* variable = findGlobal(module, pointer);
       if (variable == nullptr || variable->opcode != Op::OpVariable ||
           static_cast<StorageClass>(variable->word(0)) != StorageClass::Output)
@@ -234,19 +265,20 @@ ShaderAnalysis analyse(const PreparedShader& shader) {
   });
   analysis.decides_coverage = neededBy(graph, [&](std::size_t i) { return decidesCoverage(shader.module, graph, i); });
   analysis.refusal = findRefusal(shader, analysis);
+  if (finder.tooMany() && !analysis.refusal)
+    analysis.refusal = refused("shader.limit", "the shader reads more than " + std::to_string(kMostInputs) +
+                                                   " different inputs; at most so many are told apart");
   return analysis;
 }
 
-Place placeOf(const PreparedShader& shader, std::uint32_t value, const std::vector<SourceFile>& sources) {
+Place placeOf(const PreparedShader& shader, const Instruction& instruction, const std::vector<SourceFile>& sources) {
   LineMark line;
   std::string name;
-  if (const auto named = shader.named.find(value); named != shader.named.end()) {
+  if (const auto named = shader.named.find(instruction.result_id); named != shader.named.end()) {
     line = named->second.line;
     name = named->second.name;
-  } else if (const Function* function = findFunction(shader.module, shader.entry_function)) {
-    for (const Block& block : function->blocks)
-      for (const Instruction& instruction : block.instructions)
-        if (instruction.result_id == value) line = instruction.line;
+  } else {
+    line = instruction.line;
   }
   Place place;
   for (const Instruction& source : shader.module.debug_sources)

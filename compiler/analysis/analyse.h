@@ -24,6 +24,9 @@ struct InputSource {
   bool operator==(const InputSource&) const = default;
 };
 
+// Inputs are kept by value, so their number times that of the instructions is memory.
+inline constexpr std::size_t kMostInputs = 1024;
+
 struct ShaderAnalysis {
   ValueGraph graph;
   std::vector<InputSource> inputs;
@@ -35,15 +38,15 @@ struct ShaderAnalysis {
   std::vector<bool> decides_coverage;        // by node: which fragments are discarded, or their depth, depends on it
   bool discards = false;
   // Why no variant of this shader can be made, if so: shader.side_effects, shader.subgroup, shader.interlock,
-  // shader.sample_rate, shader.ray_query.
+  // shader.sample_rate, shader.ray_query, shader.limit (more than kMostInputs inputs).
   std::optional<Error> refusal;
 };
 
 // The prepared shader must outlive the analysis, which points into it.
 ShaderAnalysis analyse(const PreparedShader& shader);
 
-// Where a value comes from: the place of its assignment if it has a name, else of its instruction. The column, which
+// Where the value of an instruction comes from: the place of its assignment if it has a name, else of the instruction. The column, which
 // glslang does not record, is where the name first stands in that line of `sources`, 0 if the file is not among them.
-Place placeOf(const PreparedShader& shader, std::uint32_t value, const std::vector<SourceFile>& sources);
+Place placeOf(const PreparedShader& shader, const Instruction& instruction, const std::vector<SourceFile>& sources);
 
 }  // namespace reprise

@@ -22,17 +22,15 @@ std::uint32_t rootPointer(const ValueGraph& graph, std::uint32_t pointer) {
   return pointer;
 }
 
-struct TypeShape {
-  const Module& module;
-
-  int components(std::uint32_t type_id) const {
-    const Instruction* type = findGlobal(module, type_id);
-    if (type == nullptr) return 1;
-    if (type->opcode == Op::OpTypeVector) return static_cast<int>(type->word(1));
-    if (type->opcode == Op::OpTypeMatrix) return static_cast<int>(type->word(1)) * components(type->word(0));
-    return 1;
+// Components of vector and matrix types, by id. A vector's type stands before the matrix's.
+std::unordered_map<std::uint32_t, int> componentsOfTypes(const Module& module) {
+  std::unordered_map<std::uint32_t, int> components;
+  for (const Instruction& global : module.globals) {
+    if (global.opcode == Op::OpTypeVector) components[global.result_id] = static_cast<int>(global.word(1));
+    if (global.opcode == Op::OpTypeMatrix) components[global.result_id] = static_cast<int>(global.word(1)) * components[global.word(0)];
   }
-};
+  return components;
+}
 
 bool isLocalVariable(const ValueGraph& graph, std::uint32_t variable) {
   const auto found = graph.node_of.find(variable);
@@ -40,7 +38,11 @@ bool isLocalVariable(const ValueGraph& graph, std::uint32_t variable) {
          graph.nodes[static_cast<std::size_t>(found->second)].instruction->opcode == Op::OpVariable;
 }
 
-// Stores to local memory, by variable, for the loads that may see them.
+// Beyond this, products of nested loops' iterations say nothing and would leave the range of a double.
+constexpr double kMostIterations = 1e12;
+
+// Stores to memory, by variable, for the loads that may see them. Each load needs the first store and that needs the others: as
+// many loads as stores would else make the square of edges.
 void connectMemory(ValueGraph& graph) {
   std::unordered_map<std::uint32_t, std::vector<int>> stores;
   for (std::size_t i = 0; i < graph.nodes.size(); ++i)
@@ -49,7 +51,11 @@ void connectMemory(ValueGraph& graph) {
   for (Node& node : graph.nodes) {
     if (node.instruction->opcode != Op::OpLoad) continue;
     const auto found = stores.find(rootPointer(graph, node.instruction->word(0)));
-    if (found != stores.end()) node.needs.insert(node.needs.end(), found->second.begin(), found->second.end());
+    if (found != stores.end()) node.needs.push_back(found->second.front());
+  }
+  for (const auto& [variable, of_variable] : stores) {
+    std::vector<int>& needs = graph.nodes[static_cast<std::size_t>(of_variable.front())].needs;
+    needs.insert(needs.end(), of_variable.begin() + 1, of_variable.end());
   }
 }
 
@@ -61,14 +67,12 @@ void connectOperands(ValueGraph& graph) {
       if (found != graph.node_of.end()) node.needs.push_back(found->second);
     }
     if (node.instruction->opcode == Op::OpPhi) {
-      // Which way the value came from matters, so the branches that lead there are needed.
+      // Which way the value came from matters, so the branch that leads here is needed and, with its block, those that lead there.
       for (std::size_t i = 1; i < node.instruction->operands.size(); i += 2) {
         const auto from = graph.flow.block_of_label.find(node.instruction->word(i));
         if (from == graph.flow.block_of_label.end()) continue;
-        const auto block = static_cast<std::size_t>(from->second);
-        if (graph.flow.successors[block].size() > 1) node.needs.push_back(graph.terminator_of_block[block]);
-        for (const int controller : graph.flow.controllers[block])
-          node.needs.push_back(graph.terminator_of_block[static_cast<std::size_t>(controller)]);
+        const int branch = graph.terminator_of_block[static_cast<std::size_t>(from->second)];
+        if (branch != kNoNode) node.needs.push_back(branch);
       }
     }
   }
@@ -92,10 +96,10 @@ ValueGraph buildValueGraph(const PreparedShader& shader) {
   for (const Loop& loop : graph.flow.loops) {
     const int count = estimateIterations(module, function, graph.flow, loop);
     for (std::size_t block = 0; block < function.blocks.size(); ++block)
-      if (loop.contains[block]) iterations[block] *= count, ++depth[block];
+      if (loop.contains[block]) iterations[block] = std::min(iterations[block] * count, kMostIterations), ++depth[block];
   }
   const auto types = resultTypes(module);
-  const TypeShape shape{module};
+  const auto components = componentsOfTypes(module);
   for (std::size_t block = 0; block < function.blocks.size(); ++block) {
     if (!graph.flow.reachable[block]) continue;
     const std::vector<Instruction>& instructions = function.blocks[block].instructions;
@@ -106,7 +110,9 @@ ValueGraph buildValueGraph(const PreparedShader& shader) {
       if (instruction.opcode == Op::OpDot)
         if (const auto operand = types.find(instruction.word(0)); operand != types.end()) shaped = operand->second;
       Node node{static_cast<int>(block), static_cast<int>(index), &instruction, {}, 0, depth[block], false};
-      node.cost = instruction.type_id == 0 ? 0 : operationCost(instruction, shape.components(shaped)) * iterations[block];
+      const auto shape = components.find(shaped);
+      const int width = shape == components.end() ? 1 : shape->second;
+      node.cost = instruction.type_id == 0 ? 0 : operationCost(instruction, width) * iterations[block];
       graph.nodes.push_back(std::move(node));
       graph.nodes_of_block[block].push_back(id);
       if (instruction.result_id != 0) graph.node_of[instruction.result_id] = id;

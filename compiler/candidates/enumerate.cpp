@@ -36,7 +36,7 @@ struct Surroundings {
   const PreparedShader& shader;
   const ShaderAnalysis& analysis;
   const std::vector<SourceFile>& sources;
-  std::vector<bool> always_run;  // by block
+  const Function& function;
 };
 
 DropReason firstReason(const Candidate& candidate, const Surroundings& around) {
@@ -66,7 +66,7 @@ CandidateValue valueAt(std::size_t node_index, const Surroundings& around) {
   value.channels = type.channels;
   value.scalar = type.scalar;
   value.type = type.channels > 0 ? nameOf(type) : "other";
-  value.place = placeOf(around.shader, value.value, around.sources);
+  value.place = placeOf(around.shader, *node.instruction, around.sources);
   return value;
 }
 
@@ -80,7 +80,7 @@ void assignChannels(Candidate& candidate, const Surroundings& around) {
   std::map<int, int> guard_of_block;
   for (CandidateValue& value : candidate.values) {
     const int block = around.analysis.graph.nodes[static_cast<std::size_t>(value.node)].block;
-    if (value.channels == 0 || around.always_run[static_cast<std::size_t>(block)]) continue;
+    if (value.channels == 0 || isAlwaysRun(around.analysis.graph.flow, around.function, block)) continue;
     const auto [guard, added] = guard_of_block.emplace(block, next);
     if (added) ++next;
     value.guard_channel = guard->second;
@@ -121,6 +121,25 @@ void weigh(Candidate& candidate, const Surroundings& around) {
                          "may belong to another surface"};
 }
 
+// Weighing a value visits the whole shader. Of more than `most` values that may be candidates those with names are kept, then
+// the others at even distances in program order, so that every part of the shader has its candidates.
+void dropBeyond(std::size_t most, std::vector<Candidate>& candidates) {
+  for (const bool named : {true, false}) {
+    const auto isOfKind = [&](const Candidate& candidate) { return candidate.kept() && candidate.name.empty() != named; };
+    const auto count = static_cast<std::size_t>(std::count_if(candidates.begin(), candidates.end(), isOfKind));
+    const std::size_t allowed = std::min(most, count);
+    std::size_t index = 0;
+    for (Candidate& candidate : candidates) {
+      if (!isOfKind(candidate)) continue;
+      if ((index + 1) * allowed / count == index * allowed / count)
+        candidate.dropped = {"pruned.many", "the shader has more than " + std::to_string(kMostWeighed) +
+                                                " values that could be kept; this one was passed over"};
+      ++index;
+    }
+    most -= allowed;
+  }
+}
+
 std::vector<Candidate> singleCandidates(const Surroundings& around) {
   const ShaderAnalysis& analysis = around.analysis;
   std::vector<Candidate> candidates;
@@ -133,11 +152,13 @@ std::vector<Candidate> singleCandidates(const Surroundings& around) {
     candidate.inputs = analysis.inputs_of[i];
     candidate.dropped = firstReason(candidate, around);
     if (candidate.kept() && analysis.refusal) candidate.dropped = {analysis.refusal->code, analysis.refusal->message};
-    if (candidate.kept()) {
-      assignChannels(candidate, around);
-      weigh(candidate, around);
-    }
     candidates.push_back(std::move(candidate));
+  }
+  dropBeyond(kMostWeighed, candidates);
+  for (Candidate& candidate : candidates) {
+    if (!candidate.kept()) continue;
+    assignChannels(candidate, around);
+    weigh(candidate, around);
   }
   return candidates;
 }
@@ -231,10 +252,7 @@ void makeIdsUnique(std::vector<Candidate>& candidates) {
 
 std::vector<Candidate> enumerateCandidates(const PreparedShader& shader, const ShaderAnalysis& analysis,
                                            const std::vector<SourceFile>& sources, const CandidateOptions& options) {
-  const Function& function = *findFunction(shader.module, shader.entry_function);
-  Surroundings around{shader, analysis, sources, {}};
-  for (std::size_t block = 0; block < function.blocks.size(); ++block)
-    around.always_run.push_back(isAlwaysRun(analysis.graph.flow, function, static_cast<int>(block)));
+  const Surroundings around{shader, analysis, sources, *findFunction(shader.module, shader.entry_function)};
   std::vector<Candidate> candidates = singleCandidates(around);
   if (!analysis.refusal) {
     GroupOptions grouping;

@@ -31,6 +31,7 @@ struct DropReason {
 //   value.rearranged     a load, an extraction or a composition of other values
 //   value.coverage       what is discarded, or the fragment's depth, depends on it: a kept value would move edges
 //   tail.derivative      the rest of the shader takes derivatives of what depends on it
+//   pruned.many          beyond kMostWeighed values that are left before derivatives are looked at
 //   pruned.cheap         saves less than CandidateOptions::least_share of the shader's cost
 //   pruned.channels      several values that save too little more than fewer do
 //   pruned.duplicate     another candidate saves the same within same_cost_share, and is smaller or changes with less
@@ -71,6 +72,9 @@ struct Candidate {
   DropReason dropped;
   bool kept() const { return dropped.code.empty(); }
 };
+
+// Weighing visits the whole shader for each value: so many keep the longest shader within seconds.
+inline constexpr std::size_t kMostWeighed = 1000;
 
 struct CandidateOptions {
   double least_share = 0.05;

@@ -14,6 +14,7 @@ namespace {
 // Capacities are whole numbers, so that a maximum flow ends and is exact: 1/64 of a scalar addition.
 using Capacity = std::int64_t;
 constexpr double kUnit = 64;
+constexpr std::size_t kLongShader = 10000;  // nodes
 constexpr Capacity kUncuttable = Capacity{1} << 50;
 
 using Traits = boost::adjacency_list_traits<boost::vecS, boost::vecS, boost::directedS>;
@@ -151,10 +152,14 @@ std::vector<std::vector<std::size_t>> findGroups(const ShaderAnalysis& analysis,
       if (changesWithNoMore(singles[single], singles[best].inputs)) set.push_back(single);
     if (set.size() >= 2 && set.size() < allowed.size()) sets.push_back(std::move(set));
   }
+  // A cut of a very long shader takes a tenth of a second.
+  const bool is_long = analysis.graph.nodes.size() > kLongShader;
+  if (is_long) sets.resize(1);
+  const std::size_t most_cuts = is_long ? std::min<std::size_t>(options.most_cuts, 4) : options.most_cuts;
   std::set<std::vector<std::size_t>> groups;
   for (std::vector<std::size_t>& set : sets) {
     CutFinder finder(analysis, singles, std::move(set));
-    for (Cut& cut : cutsOnHull(finder, analysis.total_cost, options.most_cuts))
+    for (Cut& cut : cutsOnHull(finder, analysis.total_cost, most_cuts))
       if (cut.kept.size() >= 2 && cut.channels <= options.most_channels) groups.insert(std::move(cut.kept));
   }
   return {groups.begin(), groups.end()};

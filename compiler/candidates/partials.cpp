@@ -73,6 +73,9 @@ class PartialFinder {
     return found == analysis_.graph.node_of.end() ? 0 : costOf(analysis_.graph, neededNodes(analysis_.graph, {found->second}));
   }
 
+  // Of a long chain the costs of the terms are not told apart.
+  static constexpr std::size_t kMostCosted = 64;
+
   std::size_t heaviest(const Chain& chain) const {
     std::vector<double> weights;
     for (const ChainTerm& term : chain.terms) {
@@ -82,7 +85,7 @@ class PartialFinder {
     }
     if (weights.size() < chain.terms.size()) {
       weights.clear();
-      for (const ChainTerm& term : chain.terms) weights.push_back(costOfTerm(term));
+      for (const ChainTerm& term : chain.terms) weights.push_back(chain.terms.size() <= kMostCosted ? costOfTerm(term) : 0);
     }
     return static_cast<std::size_t>(std::max_element(weights.begin(), weights.end()) - weights.begin());
   }
@@ -108,6 +111,7 @@ std::vector<Partial> findPartials(const PreparedShader& shader, const ShaderAnal
   std::vector<Partial> partials;
   for (const Chain& chain : findChains(shader.module, *findFunction(shader.module, shader.entry_function))) {
     const auto node = analysis.graph.node_of.find(chain.root);
+    if (partials.size() >= kMostPartials) break;
     if (node == analysis.graph.node_of.end() || !analysis.live[static_cast<std::size_t>(node->second)]) continue;
     if (analysis.graph.nodes[static_cast<std::size_t>(node->second)].loop_depth == 0) finder.addPartialsOf(chain, partials);
   }

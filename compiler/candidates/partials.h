@@ -17,6 +17,9 @@ struct Partial {
   bool all_but_heaviest = false;
 };
 
+// At most so many: each is weighed by a visit to the whole shader.
+inline constexpr std::size_t kMostPartials = 256;
+
 // Only of chains that the shader needs and that stand outside of loops.
 std::vector<Partial> findPartials(const PreparedShader& shader, const ShaderAnalysis& analysis);
 

@@ -117,9 +117,9 @@ spv_result_t onHeader(void* user, spv_endianness_t, std::uint32_t, std::uint32_t
   auto& reader = *static_cast<Reader*>(user);
   reader.module.version = version;
   reader.module.bound = bound;
-  if (bound <= kMaxIds) return SPV_SUCCESS;
+  if (bound <= kMostReadIds) return SPV_SUCCESS;
   reader.failure_code = "spirv.limit";
-  reader.failure = "the module declares " + std::to_string(bound) + " ids; at most " + std::to_string(kMaxIds) + " are read";
+  reader.failure = "the module declares " + std::to_string(bound) + " ids; at most " + std::to_string(kMostReadIds) + " are read";
   return SPV_ERROR_INVALID_BINARY;
 }
 

@@ -111,8 +111,8 @@ void findControllers(ControlFlow& flow, const Function& function) {
       for (int runner = successor; runner != exit && runner != kNoBlock && runner != post_dominator[block];
            runner = post_dominator[static_cast<std::size_t>(runner)]) {
         std::vector<int>& controllers = flow.controllers[static_cast<std::size_t>(runner)];
-        if (std::find(controllers.begin(), controllers.end(), static_cast<int>(block)) == controllers.end())
-          controllers.push_back(static_cast<int>(block));
+        // Blocks come in order, so that one that is there already is the last.
+        if (controllers.empty() || controllers.back() != static_cast<int>(block)) controllers.push_back(static_cast<int>(block));
       }
   }
 }

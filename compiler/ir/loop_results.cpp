@@ -22,6 +22,7 @@ class LoopCloser {
  public:
   LoopCloser(Module& module, std::uint32_t function) : module_(module), function_(*findFunction(module, function)) {
     flow_ = analyseControlFlow(function_);
+    numberDominators();
     for (std::size_t block = 0; block < function_.blocks.size(); ++block) {
       const bool reachable = flow_.reachable[block];
       for (const Instruction& instruction : function_.blocks[block].instructions)
@@ -30,6 +31,9 @@ class LoopCloser {
   }
 
   std::unordered_map<std::uint32_t, std::uint32_t> run() {
+    std::size_t instructions = 0;
+    for (const Block& block : function_.blocks) instructions += block.instructions.size();
+    if (flow_.loops.size() * instructions > kMostLoopsTimesInstructions) return {};
     std::vector<const Loop*> loops;
     for (const Loop& loop : flow_.loops) loops.push_back(&loop);
     const auto size = [](const Loop* loop) { return std::count(loop->contains.begin(), loop->contains.end(), true); };
@@ -39,6 +43,36 @@ class LoopCloser {
   }
 
  private:
+  // Intervals of a walk of the dominator tree: a block dominates those whose interval lies in its own.
+  void numberDominators() {
+    const std::size_t count = function_.blocks.size();
+    std::vector<std::vector<int>> children(count);
+    for (std::size_t block = 0; block < count; ++block)
+      if (const int parent = flow_.immediate_dominator[block]; parent != kNoBlock) children[static_cast<std::size_t>(parent)].push_back(static_cast<int>(block));
+    enter_.assign(count, 0);
+    leave_.assign(count, 0);
+    int clock = 0;
+    std::vector<std::pair<int, std::size_t>> stack{{0, 0}};
+    enter_[0] = ++clock;
+    while (!stack.empty()) {
+      auto& [block, next] = stack.back();
+      const auto& below = children[static_cast<std::size_t>(block)];
+      if (next == below.size()) {
+        leave_[static_cast<std::size_t>(block)] = ++clock;
+        stack.pop_back();
+        continue;
+      }
+      const int child = below[next++];
+      enter_[static_cast<std::size_t>(child)] = ++clock;
+      stack.push_back({child, 0});
+    }
+  }
+
+  bool isDominated(int dominator, int block) const {
+    const auto a = static_cast<std::size_t>(dominator), b = static_cast<std::size_t>(block);
+    return enter_[a] != 0 && enter_[b] != 0 && enter_[a] <= enter_[b] && leave_[b] <= leave_[a];
+  }
+
   void close(const Loop& loop) {
     const int merge = mergeOf(function_, flow_, loop);
     if (merge == kNoBlock || loop.contains[static_cast<std::size_t>(merge)] || !flow_.reachable[static_cast<std::size_t>(merge)]) return;
@@ -46,7 +80,7 @@ class LoopCloser {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> phis;
     std::unordered_map<std::uint32_t, std::uint32_t> phi_of;
     for (std::size_t block = 0; block < function_.blocks.size(); ++block)
-      if (!loop.contains[block] && flow_.reachable[block] && dominates(flow_, merge, static_cast<int>(block)))
+      if (!loop.contains[block] && flow_.reachable[block] && isDominated(merge, static_cast<int>(block)))
         for (Instruction& instruction : function_.blocks[block].instructions) {
           // What a phi of the merge block takes is used on the way there, not in it.
           if (instruction.opcode == Op::OpPhi && static_cast<int>(block) == merge) continue;
@@ -64,7 +98,7 @@ class LoopCloser {
   bool leaves(const Loop& loop, int merge, std::uint32_t id) const {
     const auto defined = defined_in_.find(id);
     if (defined == defined_in_.end() || !loop.contains[static_cast<std::size_t>(defined->second)]) return false;
-    return defined->second != merge && dominates(flow_, defined->second, merge);
+    return defined->second != merge && isDominated(defined->second, merge);
   }
 
   void insertPhis(int merge, const std::vector<std::pair<std::uint32_t, std::uint32_t>>& phis) {
@@ -96,6 +130,7 @@ class LoopCloser {
   Module& module_;
   Function& function_;
   ControlFlow flow_;
+  std::vector<int> enter_, leave_;  // by block; 0: not reached
   std::unordered_map<std::uint32_t, int> defined_in_;  // block, by value
   std::unordered_map<std::uint32_t, std::uint32_t> result_of_;
 };

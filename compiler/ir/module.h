@@ -72,8 +72,9 @@ struct Module {
   std::uint32_t freshId() { return bound++; }
 };
 
-// Errors (kInput): spirv.invalid with the parser's message; spirv.limit where bound exceeds kMaxIds.
-inline constexpr std::uint32_t kMaxIds = 1u << 22;
+// Errors (kInput): spirv.invalid with the parser's message; spirv.limit where bound exceeds kMostReadIds, which is what the
+// validator takes, too.
+inline constexpr std::uint32_t kMostReadIds = 1u << 22;
 Result<Module> readModule(std::span<const std::uint32_t> words);
 std::vector<std::uint32_t> writeModule(const Module& module);
 

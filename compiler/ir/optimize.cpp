@@ -3,6 +3,8 @@
 #include <functional>
 #include <spirv-tools/optimizer.hpp>
 
+#include "compiler/source/module_limits.h"
+
 namespace reprise {
 namespace {
 
@@ -36,9 +38,7 @@ Result<Module> runPasses(const Module& module, const std::function<void(spvtools
   return readModule(optimized);
 }
 
-}  // namespace
-
-Result<Module> inlineCalls(const Module& module) {
+Result<Module> runInlining(const Module& module) {
   return runPasses(module, [](spvtools::Optimizer& optimizer) {
     optimizer.RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())
         .RegisterPass(spvtools::CreateMergeReturnPass())
@@ -46,6 +46,15 @@ Result<Module> inlineCalls(const Module& module) {
         .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())
         .RegisterPass(spvtools::CreatePrivateToLocalPass());
   });
+}
+
+}  // namespace
+
+Result<Module> inlineCalls(const Module& module) {
+  REPRISE_ASSIGN(Module inlined, runInlining(module));
+  if (const Result<void> small = checkModuleLimits(writeModule(inlined)); !small.ok())
+    return Error{ErrorKind::kRefused, "shader.limit", "with all calls inlined " + small.error().message, {}};
+  return inlined;
 }
 
 Result<Module> promoteToSsa(const Module& module) {

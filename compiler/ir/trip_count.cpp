@@ -70,7 +70,7 @@ std::optional<int> constantTripCount(const Module& module, const Function& funct
       }
     }
     if (first == nullptr || step == nullptr) continue;
-    const auto step_value = static_cast<std::int32_t>(step->word(0)) * (step_opcode == Op::OpISub ? -1 : 1);
+    const std::int64_t step_value = std::int64_t{static_cast<std::int32_t>(step->word(0))} * (step_opcode == Op::OpISub ? -1 : 1);
     for (std::size_t block = 0; block < function.blocks.size(); ++block) {
       if (!loop.contains[block]) continue;
       for (const Instruction& compare : function.blocks[block].instructions) {

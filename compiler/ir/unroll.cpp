@@ -40,7 +40,11 @@ Instruction* mergeInstruction(Function& function, const Loop& loop) {
 // Asks SPIRV-Tools for the loops to unroll by their own loop control. Returns whether there are any.
 bool markLoops(Module& module, std::uint32_t function_id) {
   Function& function = *findFunction(module, function_id);
+  std::size_t instructions = 0;
+  for (const Block& block : function.blocks) instructions += block.instructions.size();
+  if (instructions > kMostInstructionsToUnroll) return false;
   const ControlFlow flow = analyseControlFlow(function);
+  if (flow.loops.size() > kMostLoops) return false;
   std::vector<int> trip_counts;
   for (const Loop& loop : flow.loops) trip_counts.push_back(constantTripCount(module, function, flow, loop).value_or(1 << 20));
   bool any = false;

@@ -10,6 +10,9 @@ namespace reprise {
 
 inline constexpr int kMostUnrolledIterations = 32;
 inline constexpr int kMostUnrolledInstructions = 1024;  // of a loop, written out, inner loops too
+// Of functions beyond these no loop is unrolled: looking for those that may be takes the product of both.
+inline constexpr std::size_t kMostLoops = 64;
+inline constexpr std::size_t kMostInstructionsToUnroll = 16384;
 
 // Loops of constant trip count (trip_count.h) within these limits are replaced by their iterations, which keep their order; index
 // arithmetic is folded. Other loops stay. Floats are left alone: what drivers fold they fold themselves (law 1). Errors:

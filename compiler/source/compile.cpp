@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "compiler/source/glsl.h"
+#include "compiler/source/module_limits.h"
 #include "compiler/source/spirv_input.h"
 #include "compiler/source/validate.h"
 #include "runtime/base/file.h"
@@ -96,6 +97,7 @@ Result<CompiledShader> compileGlsl(std::string_view text, const std::string& nam
                     " shader, as which it does not compile: " + error.message;
     return error;
   }
+  REPRISE_TRY(checkModuleLimits(shader->words));
   const Result<void> valid = validateModule(shader->words);
   if (!valid) {
     return Error{ErrorKind::kInput,

@@ -73,6 +73,7 @@ struct CompiledShader {
 //   source.not_spirv    called .spv but no SPIR-V
 //   source.truncated    SPIR-V that ends in the middle of an instruction or of a word
 //   source.invalid      SPIR-V that the validator rejects, or assembler text that does not assemble
+//   spirv.limit         SPIR-V with more of something than module_limits.h allows
 //   source.entry_point  SPIR-V without the wanted entry point (lists those that it has)
 Result<CompiledShader> compile(const std::filesystem::path& file, const CompileOptions& options);
 

@@ -5,6 +5,7 @@
 #include <spirv/unified1/spirv.hpp11>
 #include <utility>
 
+#include "compiler/source/module_limits.h"
 #include "compiler/source/validate.h"
 
 namespace reprise {
@@ -184,6 +185,11 @@ Result<CompiledShader> readSpirv(std::string_view bytes, const std::string& name
     for (std::uint32_t& word : shader.words) word = swapped(word);
   }
   REPRISE_ASSIGN(const std::vector<FoundEntry> entries, walk(shader.words, name));
+  if (const Result<void> small = checkModuleLimits(shader.words); !small) {
+    Error error = small.error();
+    error.place.file = name;
+    return error;
+  }
   const Result<void> valid = validateModule(shader.words);
   if (!valid) {
     return Error{ErrorKind::kInput,

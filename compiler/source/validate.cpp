@@ -5,6 +5,16 @@
 namespace reprise {
 namespace {
 
+// The validator makes names unique by counting up from 1 for each.
+constexpr std::size_t kMostFriendlyNames = 1000;
+
+std::size_t countNames(std::span<const std::uint32_t> words) {
+  constexpr std::uint32_t kName = 5;
+  std::size_t names = 0;
+  for (std::size_t at = 5; at < words.size() && words[at] >> 16 != 0; at += words[at] >> 16) names += (words[at] & 0xffffu) == kName;
+  return names;
+}
+
 constexpr std::uint32_t kVersion13 = 0x00010300, kVersion14 = 0x00010400, kVersion15 = 0x00010500;
 
 spv_target_env environmentOf(std::uint32_t version) {
@@ -46,7 +56,9 @@ Result<void> validateModule(std::span<const std::uint32_t> words) {
       [&](spv_message_level_t level, const char*, const spv_position_t&, const char* text) {
         if (level <= SPV_MSG_ERROR && first_message.empty()) first_message = text;
       });
-  if (tools.Validate(words.data(), words.size())) return {};
+  spvtools::ValidatorOptions options;
+  options.SetFriendlyNames(countNames(words) <= kMostFriendlyNames);
+  if (tools.Validate(words.data(), words.size(), options)) return {};
   return Error{ErrorKind::kInput,
                "spirv.invalid",
                first_message.empty() ? "the module is no valid SPIR-V for Vulkan" : first_message,

@@ -110,7 +110,7 @@ void checkUniforms(const Scenario& scenario, const ShaderInterface& interface, D
                      binding.place);
       }
     }
-    if (!found) {
+    if (!found && !diagnostics.full()) {
       diagnostics.add(
           "unknown_uniform",
           "the shaders have no uniform '" + binding.member + "'" + suggestNames(binding.member, names),
@@ -161,7 +161,7 @@ void checkTextures(const Scenario& scenario, const ShaderInterface& interface, D
     }
   }
   for (const TextureSpec& texture : scenario.textures) {
-    if (std::find(names.begin(), names.end(), texture.name) != names.end()) continue;
+    if (diagnostics.full() || std::find(names.begin(), names.end(), texture.name) != names.end()) continue;
     diagnostics.add("unknown_texture",
                     "the shaders have no texture '" + texture.name + "'" + suggestNames(texture.name, names),
                     texture.place);

@@ -6,7 +6,7 @@
 namespace reprise {
 
 void Diagnostics::add(const std::string& kind, const std::string& message, const Place& place) {
-  errors.push_back({ErrorKind::kInput, "scenario." + kind, message, place});
+  if (!full()) errors.push_back({ErrorKind::kInput, "scenario." + kind, message, place});
 }
 
 void sortByPlace(Diagnostics& diagnostics) {

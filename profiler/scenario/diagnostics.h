@@ -8,9 +8,13 @@
 
 namespace reprise {
 
-struct Diagnostics {
-  std::vector<Error> errors;
+// Nobody mends more at once, and finding near names for each of a million would take minutes.
+inline constexpr std::size_t kMostDiagnostics = 100;
 
+struct Diagnostics {
+  std::vector<Error> errors;  // the first kMostDiagnostics
+
+  bool full() const { return errors.size() >= kMostDiagnostics; }
   // Adds a kInput error; a code is "scenario." and `kind`.
   void add(const std::string& kind, const std::string& message, const Place& place);
 };

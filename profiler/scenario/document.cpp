@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <exception>
 #include <sstream>
+#include <string_view>
 #include <tuple>
 
 #include <toml++/toml.h>
+
+#include "profiler/scenario/names.h"
 
 namespace reprise {
 namespace {
@@ -54,6 +57,44 @@ TomlNode nodeOf(const toml::node& source, const std::string& file) {
   return node;
 }
 
+// The end of the string or comment that begins at `at`; `at` itself where none does.
+std::size_t skipQuoted(const std::string& toml, std::size_t at) {
+  const char quote = toml[at];
+  if (quote == '#') return std::min(toml.find('\n', at), toml.size());
+  if (quote != '"' && quote != '\'') return at;
+  const bool several_lines = toml.compare(at, 3, std::string(3, quote)) == 0;
+  const std::size_t width = several_lines ? 3 : 1;
+  for (at += width; at < toml.size(); ++at) {
+    if (toml[at] == '\\' && quote == '"') {
+      ++at;
+    } else if (toml.compare(at, width, std::string(width, quote)) == 0) {
+      return at + width;
+    } else if (toml[at] == '\n' && !several_lines) {
+      return at;
+    }
+  }
+  return toml.size();
+}
+
+// The line of the first key of more than kMaxKeyParts parts, 0 if there is none. Looked for in the text: the parser takes keys
+// of any length and leaves their tables by recursion.
+int lineOfLongKey(const std::string& toml) {
+  int line = 1, dots = 0;
+  for (std::size_t at = 0; at < toml.size();) {
+    const std::size_t end = skipQuoted(toml, at);
+    if (end != at) {
+      line += static_cast<int>(std::count(toml.begin() + static_cast<std::ptrdiff_t>(at), toml.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
+      at = end;
+      continue;
+    }
+    const char letter = toml[at++];
+    line += letter == '\n';
+    if (letter == '.' && ++dots >= kMaxKeyParts) return line;
+    if (std::string_view("=[]{},\n").find(letter) != std::string_view::npos) dots = 0;
+  }
+  return 0;
+}
+
 Error syntaxError(const std::string& reason, const Place& place) {
   return {ErrorKind::kInput, "scenario.syntax", "this is no valid TOML: " + reason, place};
 }
@@ -61,6 +102,8 @@ Error syntaxError(const std::string& reason, const Place& place) {
 }  // namespace
 
 Result<TomlNode> parseDocument(const std::string& toml, const std::string& file) {
+  if (const int line = lineOfLongKey(toml); line > 0)
+    return syntaxError("a key has more than " + std::to_string(kMaxKeyParts) + " parts", {file, line, 1});
   try {
     return nodeOf(toml::parse(toml, file), file);
   } catch (const toml::parse_error& problem) {

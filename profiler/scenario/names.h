@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "profiler/scenario/scenario.h"
@@ -60,6 +61,10 @@ inline constexpr int kMaxSegments = 2048;
 inline constexpr int kMaxTextureSize = 8192;
 inline constexpr int kMaxTrackValues = 256;
 inline constexpr int kMaxEntries = 1024;  // objects, textures, sessions, key frames, profile points
+inline constexpr int kMaxUniforms = 4096;  // as many as members that a block may have
+inline constexpr std::int64_t kMaxMeshQuads = 1 << 23;   // of all objects together: some 500 MB of vertices
+inline constexpr std::int64_t kMaxTexels = 8192 * 8192;  // of all made-up textures together
+inline constexpr int kMaxKeyParts = 64;  // of a dotted key: each is a table in the one before, and tables are left by recursion
 
 template <typename T, std::size_t N>
 const char* spellingOf(const NameWithValue<T> (&table)[N], T value) {

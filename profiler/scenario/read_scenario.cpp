@@ -48,6 +48,20 @@ void readObjects(TableReader& root, Scenario& scenario) {
   }
 }
 
+// One slip is caught by the limit of each mesh and texture; these hold many of them together.
+void expectModest(const Scenario& scenario, const Place& place, Diagnostics& diagnostics) {
+  std::int64_t quads = 0, texels = 0;
+  for (const Object& object : scenario.objects) quads += std::int64_t{object.mesh.segments_u} * object.mesh.segments_v;
+  for (const TextureSpec& texture : scenario.textures)
+    if (texture.kind != TextureKind::kFile) texels += std::int64_t{texture.size} * texture.size;
+  const auto expectAtMost = [&](const std::string& what, std::int64_t found, std::int64_t most) {
+    if (found > most)
+      diagnostics.add("value", what + std::to_string(found) + " together, expected at most " + std::to_string(most), place);
+  };
+  expectAtMost("the meshes have segments_u x segments_v = ", quads, kMaxMeshQuads);
+  expectAtMost("the textures have size x size = ", texels, kMaxTexels);
+}
+
 void readTextures(TableReader& root, const fs::path& directory, Scenario& scenario) {
   const std::vector<const TomlNode*> nodes = root.findTables("texture");
   for (const TomlNode* node : nodes)
@@ -100,6 +114,7 @@ void readRoot(const TomlNode& document, const fs::path& directory, Scenario& sce
     scenario.uniforms = readUniforms(*uniforms, diagnostics);
   }
   readTextures(root, directory, scenario);
+  expectModest(scenario, document.place, diagnostics);
   readSessions(root, scenario);
   root.finish();
 }

@@ -242,6 +242,11 @@ std::vector<UniformBinding> readUniforms(const TomlNode& node, Diagnostics& diag
   std::vector<UniformBinding> bindings;
   TableReader reader(node, "[uniforms]", diagnostics);
   const auto add = [&](const std::string& member, const Entry& entry) {
+    if (bindings.size() == kMaxUniforms) {
+      diagnostics.add("value", "[uniforms] binds more than " + std::to_string(kMaxUniforms) + " uniforms, expected at most so many",
+                      entry.key_place);
+      return;
+    }
     const bool again = std::any_of(bindings.begin(), bindings.end(),
                                    [&](const auto& known) { return known.member == member; });
     if (again)

@@ -168,6 +168,7 @@ std::vector<const TomlNode*> TableReader::findTables(const std::string& key) {
 
 void TableReader::finish() {
   for (const Entry& entry : table_.entries) {
+    if (diagnostics_.full()) return;
     if (std::find(known_.begin(), known_.end(), entry.key) != known_.end()) continue;
     diagnostics_.add("unknown_key",
                      what_ + " has no key '" + entry.key + "'" + suggestNames(entry.key, known_),

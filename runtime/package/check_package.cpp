@@ -8,8 +8,7 @@
 namespace reprise {
 namespace {
 
-constexpr std::size_t kMaxPasses = 16, kMaxResources = 16, kMaxReads = 8, kMaxPrevious = 16,
-                      kMaxModules = 64;
+constexpr std::size_t kMaxPasses = 16, kMaxResources = 16, kMaxReads = 8, kMaxPrevious = 16;
 constexpr std::uint32_t kMaxSet = 31, kMaxBlockBytes = 65536, kFirstReadBinding = 2, kFirstPreviousBinding = 16,
                         kMaxPreviousBinding = 64;
 
@@ -120,7 +119,7 @@ Result<void> checkPreviousInputs(const Recipe& recipe) {
 }
 
 Result<void> checkRecipe(const Package& package, const Recipe& recipe) {
-  if (recipe.resources.size() > kMaxResources || recipe.modules.size() > kMaxModules)
+  if (recipe.resources.size() > kMaxResources || recipe.modules.size() > kMostModules)
     return inconsistent("too many resources or modules");
   if (recipe.reprise_set > kMaxSet) return inconsistent("the descriptor set is out of range");
   if (!std::has_single_bit(recipe.block_pixels) || recipe.block_pixels < 2 || recipe.block_pixels > 1024)

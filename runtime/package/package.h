@@ -16,6 +16,8 @@
 
 namespace reprise {
 
+inline constexpr std::size_t kMostModules = 64;  // of a recipe: reading a package reads a file for each
+
 struct Package {
   std::string tool_version;
   ShaderInterface interface;

@@ -19,6 +19,9 @@ Error manifestError(const std::filesystem::path& file, const std::string& code, 
 }
 
 Result<void> readModules(const Recipe& recipe, const std::filesystem::path& directory, Package& package) {
+  if (recipe.modules.size() > kMostModules)
+    return manifestError(directory / kManifest, "package.inconsistent",
+                         "a recipe names " + std::to_string(recipe.modules.size()) + " modules, expected at most " + std::to_string(kMostModules));
   for (const ModuleEntry& entry : recipe.modules) {
     if (entry.name.empty() || entry.name.find_first_of("/\\") != std::string::npos || entry.name.front() == '.')
       return manifestError(directory / kManifest, "package.inconsistent", "'" + entry.name + "' is no module name");

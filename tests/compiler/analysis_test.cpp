@@ -127,7 +127,8 @@ TEST(Places, AreFileLineAndColumnOfTheName) {
 
 TEST(Places, AreUnknownInTheColumnWithoutTheSource) {
   const auto shader = analysedMain("float vein = sin(p.x);\ncolor = vec4(vein * q);");
-  const Place place = placeOf(shader->shader, shader->named("vein").values.front().value, {});
+  const Node& vein = shader->analysis.graph.nodes[static_cast<std::size_t>(shader->named("vein").values.front().node)];
+  const Place place = placeOf(shader->shader, *vein.instruction, {});
   EXPECT_EQ(place, (Place{"test.frag", 8, 0}));
 }
 

@@ -82,7 +82,7 @@ RC_GTEST_PROP(Module, TruncatedWordsAreRefused, ()) {
 
 TEST(Module, AnIdBoundBeyondTheLimitIsRefused) {
   std::vector<std::uint32_t> words = loopWords();
-  words[3] = kMaxIds + 1;
+  words[3] = kMostReadIds + 1;
   const Result<Module> module = readModule(words);
   ASSERT_FALSE(module.ok());
   EXPECT_EQ(module.error().code, "spirv.limit");
