@@ -23,11 +23,11 @@ inline constexpr int kMostCallDepth = 256;  // calls are followed by recursion, 
 // For each loop and selection the validator visits the blocks in it and, for each of these, the constructs around it.
 inline constexpr std::size_t kMostBlocks = 8192;
 inline constexpr std::size_t kMostLoops = 1024;
-inline constexpr std::size_t kMostSelections = 2048;
+inline constexpr std::size_t kMostSelections = 1024;
 inline constexpr std::size_t kMostNesting = 64;  // of loops and selections in one function
 // Members of a type, those of its members included, are visited by the validator for each use and become variables when
 // locals are taken apart. Counted for each result and member of that type.
-inline constexpr std::uint64_t kMostTypeParts = 1u << 22;
+inline constexpr std::uint64_t kMostTypeParts = 1u << 21;
 // Decorations of groups times what they are given to: the validator copies them.
 inline constexpr std::uint64_t kMostGroupDecorations = 1u << 20;
 
