@@ -152,7 +152,7 @@ int runCheck(Words& words) {
   arguments.quiet = words.quiet;
   arguments.worker_path = executablePath();
   arguments.interrupted = [] { return interrupt_seen.load(); };
-  const Result<bool> result = checkShaders(arguments, std::cout);
+  const Result<bool> result = checkShaders(arguments, std::cout, std::cerr);
   if (!result.ok()) return report(result.error(), words.errorsAsJson());
   return *result ? 0 : kInputStatus;
 }

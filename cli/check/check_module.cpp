@@ -10,6 +10,8 @@
 #include "cli/check/capabilities.h"
 #include "cli/check/endless_loops.h"
 #include "cli/check/frame_laws.h"
+#include "cli/check/unsteady_pixels.h"
+#include "compiler/ir/optimize.h"
 #include "compiler/ir/reproducible.h"
 #include "compiler/source/harness_vertex.h"
 #include "compiler/source/validate.h"
@@ -24,9 +26,8 @@ constexpr int kFrames = 6, kFrozenFrames = 4, kFrozenShot = 2, kPeriodOneFrames 
 constexpr std::uint32_t kPeriod = 4;
 constexpr std::uint32_t kBlock = 4;
 constexpr double kRounding = 1e-3, kLittleRounding = 1e-5;
-constexpr int kSeedsTried = 3;
+constexpr int kSeedsTried = 5;
 constexpr std::size_t kCandidatesTried = 4;
-constexpr const char* kPoisonedStrategy = "branch";  // every state allows it
 
 struct Subject {
   ShaderProgram program;
@@ -58,7 +59,7 @@ std::string whyNone(const std::vector<Candidate>& values) {
 
 Result<Subject> readSubjectOf(const CompiledShader& fragment) {
   ReflectOptions lenient;
-  lenient.skip_unknown_members = true;
+  lenient.skip_unknown_members = lenient.any_arrays = lenient.any_bindings = true;
   REPRISE_ASSIGN(const std::string text, harnessVertexText(fragment.words));
   CompileOptions options;
   options.stage = ShaderStage::kVertex;
@@ -68,6 +69,11 @@ Result<Subject> readSubjectOf(const CompiledShader& fragment) {
   return subject;
 }
 
+struct Exactness {
+  double tolerance = 0;
+  bool leave_out_unsteady = false;  // pixels (cli/check/unsteady_pixels.h)
+};
+
 class ModuleCheck {
  public:
   ModuleCheck(const CheckRequest& request, const Context& context, Commands& commands, const std::function<void()>& original_runs)
@@ -75,8 +81,8 @@ class ModuleCheck {
     verdict_.path = request.path;
   }
 
-  ModuleVerdict run(const CompiledShader& fragment, double tolerance) {
-    tolerance_ = tolerance;
+  ModuleVerdict run(const CompiledShader& fragment, const Exactness& exactness) {
+    exactness_ = exactness;
     const Result<void> result = check(fragment);
     if (!result.ok()) {
       const Error& error = result.error();
@@ -97,7 +103,7 @@ class ModuleCheck {
     REPRISE_ASSIGN(subject_, readSubjectOf(fragment));
     if (subject_.program.analysis.refusal) return *subject_.program.analysis.refusal;
     if (subject_.program.interface.outputs.empty())
-      return Error{ErrorKind::kInput, "output.none", "the shader has no colour output to compare", {}};
+      return Error{ErrorKind::kRefused, "output.none", "the shader has no colour output that a payload could serve", {}};
     CandidateOptions enumeration;
     enumeration.least_share = 0;
     const std::vector<Candidate> values = enumerateCandidates(*subject_.program.fragment, subject_.program.analysis, subject_.program.sources, enumeration);
@@ -150,7 +156,10 @@ class ModuleCheck {
       originals_.push_back(std::move(played));
     }
     original_runs_();
-    return whyMeaningless(originals_[kFrozenShot], subject_.program.interface.outputs);
+    const std::string meaningless = whyMeaningless(originals_[kFrozenShot], subject_.program.interface.outputs);
+    if (!meaningless.empty() || !exactness_.leave_out_unsteady) return meaningless;
+    REPRISE_ASSIGN(unsteady_, unsteadyPixels({context_, commands_, subject_.program.interface, package, options}, originals_));
+    return whyMostlyUnsteady(unsteady_, originals_);
   }
 
   VariantOptions optionsFor(const std::string& strategy) const {
@@ -167,9 +176,9 @@ class ModuleCheck {
     return options;
   }
 
-  // Whether what was seen says something; the verdict is untestable so far where it does not.
+  // Whether what was seen says something; the verdict is untestable so far where it does not. Seen in the first strategy that takes
+  // the candidate, before time is spent on the others.
   Result<bool> checkCandidate(const Candidate& candidate) {
-    std::vector<HarnessFrame> moving;
     int held = 0;
     for (const Strategy& strategy : strategies()) {
       if (!strategy.selectable || (!request_.strategy.empty() && strategy.name != request_.strategy)) continue;
@@ -181,11 +190,16 @@ class ModuleCheck {
         last_refusal_ = frames.error();
         continue;
       }
-      ++held;
-      if (moving.empty()) moving = *frames;
+      ++verdict_.variants;
+      if (held++ > 0) continue;
+      REPRISE_ASSIGN(const bool shows, showsSomething(candidate, strategy.name, *frames));
+      if (!shows) return false;
     }
     if (held == 0) return last_refusal_;
-    verdict_.variants += held;
+    return true;
+  }
+
+  Result<bool> showsSomething(const Candidate& candidate, const std::string& strategy, const std::vector<HarnessFrame>& moving) {
     std::size_t hits = 0, misses = 0;
     for (int frame = 1; frame < kFrames; ++frame) {
       hits += countKind(moving[static_cast<std::size_t>(frame)], 1);
@@ -195,7 +209,7 @@ class ModuleCheck {
       end(Verdict::kUntestable, "inputs.one_sided", fmt::format("{}: {} pixels hit and {} missed", candidate.id, hits, misses));
       return false;
     }
-    REPRISE_ASSIGN(const bool matters, poisonShows(candidate, moving));
+    REPRISE_ASSIGN(const bool matters, poisonShows(candidate, strategy, moving));
     if (!matters) end(Verdict::kUntestable, "inputs.no_effect", candidate.id + ": a poisoned cache changes no pixel");
     return matters;
   }
@@ -216,17 +230,17 @@ class ModuleCheck {
   Result<std::vector<HarnessFrame>> checkStrategy(const Candidate& candidate, const std::string& strategy) {
     REPRISE_ASSIGN(Player player, variantPlayer(candidate, optionsFor(strategy)));
     // A regrouped chain feeds the cache, and what reads it: hits, and the tail of three passes for misses too.
-    const double at_hits = isRegrouped(candidate) ? std::max(tolerance_, kRegroupedTolerance) : tolerance_;
-    const double at_misses = findStrategy(strategy)->keeps_raw_payload ? at_hits : tolerance_;
+    const double at_hits = isRegrouped(candidate) ? std::max(exactness_.tolerance, kRegroupedTolerance) : exactness_.tolerance;
+    const double at_misses = findStrategy(strategy)->keeps_raw_payload ? at_hits : exactness_.tolerance;
     std::vector<HarnessFrame> moving;
     for (int frame = 0; frame < kPeriodOneFrames; ++frame) {
       REPRISE_ASSIGN(const HarnessFrame played, harness_->play(player, {frame, 1}));
-      if (broken(candidate, strategy, frame, findViolation(original(frame), played, {"law.always_refresh", ExactPixels::kAll, at_misses}))) return moving;
+      if (broken(candidate, strategy, frame, findViolation(original(frame), played, lawOf("law.always_refresh", ExactPixels::kAll, frame, at_misses)))) return moving;
     }
     player.invalidate();
     for (int frame = 0; frame < kFrames; ++frame) {
       REPRISE_ASSIGN(HarnessFrame played, harness_->play(player, {frame, kPeriod}));
-      if (broken(candidate, strategy, frame, findViolation(original(frame), played, {"law.misses_exact", ExactPixels::kMisses, at_misses}))) return moving;
+      if (broken(candidate, strategy, frame, findViolation(original(frame), played, lawOf("law.misses_exact", ExactPixels::kMisses, frame, at_misses)))) return moving;
       moving.push_back(std::move(played));
     }
     if (countKind(moving.front(), 1) > 0) {
@@ -236,9 +250,22 @@ class ModuleCheck {
     player.invalidate();
     for (int frame = 0; frame < kFrozenFrames; ++frame) {
       REPRISE_ASSIGN(const HarnessFrame played, harness_->play(player, {kFrozenShot, kPeriod}));
-      if (broken(candidate, strategy, kFrozenShot, findViolation(original(kFrozenShot), played, {"law.frozen_world", ExactPixels::kAll, at_hits}))) return moving;
+      const ColorLaw law = lawOf("law.frozen_world", ExactPixels::kAll, kFrozenShot, at_hits);
+      if (broken(candidate, strategy, kFrozenShot, findViolation(original(kFrozenShot), played, law))) return moving;
     }
     return moving;
+  }
+
+  ColorLaw lawOf(const std::string& name, ExactPixels pixels, int frame, double tolerance) const {
+    const auto& modes = subject_.program.fragment->module.execution_modes;
+    const bool early = std::any_of(modes.begin(), modes.end(), [](const Instruction& mode) {
+      return mode.opcode == spv::Op::OpExecutionMode &&
+             static_cast<spv::ExecutionMode>(mode.word(1)) == spv::ExecutionMode::EarlyFragmentTests;
+    });
+    ColorLaw law{name, pixels, tolerance, subject_.program.interface.writes_depth};
+    law.depth_tells_coverage = !(early && subject_.program.analysis.discards);
+    if (!unsteady_.empty()) law.left_out = &unsteady_[static_cast<std::size_t>(frame)];
+    return law;
   }
 
   const HarnessFrame& original(int frame) const { return originals_[static_cast<std::size_t>(frame)]; }
@@ -247,14 +274,14 @@ class ModuleCheck {
     if (!violation) return false;
     const std::size_t width = HarnessOptions{}.width;
     end(Verdict::kFailed, violation->law,
-        fmt::format("{} in {}, seed {}, frame {}, pixel ({}, {}): expected {}, found {}; again with: reprise check {} --seed {} --strategy {}",
+        fmt::format("{} in {}, seed {}, frame {}, pixel ({}, {}): expected {}, found {}; again with: {}",
                     candidate.id, strategy, seed_, frame, violation->pixel % width, violation->pixel / width, violation->expected,
-                    violation->found, request_.path, seed_, strategy));
+                    violation->found, repeatCommand(request_, seed_, strategy)));
     return true;
   }
 
-  Result<bool> poisonShows(const Candidate& candidate, const std::vector<HarnessFrame>& moving) {
-    VariantOptions options = optionsFor(request_.strategy.empty() ? kPoisonedStrategy : request_.strategy);
+  Result<bool> poisonShows(const Candidate& candidate, const std::string& strategy, const std::vector<HarnessFrame>& moving) {
+    VariantOptions options = optionsFor(strategy);
     options.poisoned = true;
     Result<Player> player = variantPlayer(candidate, options);
     if (!player.ok()) return player.error();
@@ -274,7 +301,8 @@ class ModuleCheck {
   std::unique_ptr<Harness> harness_;
   std::vector<HarnessFrame> originals_;
   std::uint32_t seed_ = 1;
-  double tolerance_ = 0;
+  Exactness exactness_;
+  std::vector<std::vector<bool>> unsteady_;  // by frame
   Error last_refusal_{ErrorKind::kRefused, "strategy.none", "no strategy takes this shader", {}};
 };
 
@@ -295,6 +323,26 @@ Result<CompiledShader> changed(const CompiledShader& shader, Module (*change)(co
   return result;
 }
 
+// The same shader with its variables as values, the form that the rewrites start from.
+Result<CompiledShader> withValues(const CompiledShader& shader) {
+  REPRISE_ASSIGN(const Module module, readModule(shader.words));
+  REPRISE_ASSIGN(const Module inlined, inlineCalls(module));
+  REPRISE_ASSIGN(const Module promoted, promoteToSsa(inlined));
+  CompiledShader result = shader;
+  result.words = writeModule(promoted);
+  return result;
+}
+
+// Of a module whose variants differ from it by more than rounding: whether it differs from itself, so that the device is to blame.
+Result<ModuleVerdict> blamed(const ModuleVerdict& failed, const ModuleVerdict& of_values) {
+  if (of_values.verdict != Verdict::kVerified) return failed;
+  ModuleVerdict verdict = of_values;
+  verdict.verdict = Verdict::kUntestable;
+  verdict.code = "device.inconsistent";
+  verdict.reason = "the device draws the original differently once its variables are values, and then all variants equal it";
+  return verdict;
+}
+
 Result<ModuleVerdict> checkCompiled(const CheckRequest& request, const std::function<void()>& original_runs) {
   REPRISE_ASSIGN(const CompiledShader given, compile(request.path, compileOptionsOf(request)));
   ContextOptions options;
@@ -305,12 +353,12 @@ Result<ModuleVerdict> checkCompiled(const CheckRequest& request, const std::func
     return Error{ErrorKind::kRefused, "device.capability", "the module needs the capability " + lacking + ", which the device lacks", {}};
   REPRISE_ASSIGN(Commands commands, Commands::create(context));
   REPRISE_ASSIGN(const CompiledShader fragment, changed(given, withDefinedValues));
-  const auto check = [&](const CompiledShader& shader, double tolerance) {
-    return ModuleCheck(request, context, commands, original_runs).run(shader, tolerance);
+  const auto check = [&](const CompiledShader& shader, double tolerance, bool leave_out_unsteady = false) {
+    return ModuleCheck(request, context, commands, original_runs).run(shader, {tolerance, leave_out_unsteady});
   };
   ModuleVerdict verdict = check(fragment, 0);
   if (verdict.verdict == Verdict::kFailed) REPRISE_TRY(refuseEndless(fragment, verdict.seed, context, commands));
-  if (verdict.verdict != Verdict::kFailed || verdict.code == "law.depth" || verdict.code == "law.books") return verdict;
+  if (verdict.verdict != Verdict::kFailed || verdict.code == "law.books") return verdict;
   // A driver may round the same expression differently in another surrounding. That is no fault of the rewrite if it is little, and if
   // it is next to nothing, or gone where the driver has no such freedom.
   REPRISE_ASSIGN(const CompiledShader strict, changed(fragment, withoutContraction));
@@ -324,7 +372,13 @@ Result<ModuleVerdict> checkCompiled(const CheckRequest& request, const std::func
     rounded.reason = "bit for bit with NoContraction on both sides; as given the device rounds differently";
     return rounded;
   }
-  return rounded.verdict == Verdict::kFailed ? rounded : verdict;
+  ModuleVerdict steady = check(fragment, kRounding, true);
+  if (steady.verdict == Verdict::kVerified) {
+    steady.reason = "within 1e-3 where the shader does not enlarge rounding errors";
+    return steady;
+  }
+  REPRISE_ASSIGN(const CompiledShader of_values, withValues(fragment));
+  return blamed(rounded.verdict == Verdict::kFailed ? rounded : verdict, check(of_values, kLittleRounding));
 }
 
 }  // namespace

@@ -20,12 +20,6 @@ bool same(std::uint32_t a, std::uint32_t b, double tolerance) {
   return tolerance > 0 && std::abs(asFloat(a) - asFloat(b)) <= tolerance * std::max(1.0f, std::abs(asFloat(a)));
 }
 
-bool samePixel(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b, std::size_t pixel, double tolerance) {
-  for (std::size_t channel = 0; channel < 4; ++channel)
-    if (!same(a[pixel * 4 + channel], b[pixel * 4 + channel], tolerance)) return false;
-  return true;
-}
-
 std::string pixelText(const std::vector<std::uint32_t>& words, std::size_t pixel) {
   std::string text;
   for (std::size_t channel = 0; channel < 4; ++channel) {
@@ -35,16 +29,24 @@ std::string pixelText(const std::vector<std::uint32_t>& words, std::size_t pixel
   return text;
 }
 
+}  // namespace
+
 bool covered(const HarnessFrame& frame, std::size_t pixel) { return frame.depth[pixel] != kClearDepth; }
 
-}  // namespace
+bool samePixel(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b, std::size_t pixel, double tolerance) {
+  for (std::size_t channel = 0; channel < 4; ++channel)
+    if (!same(a[pixel * 4 + channel], b[pixel * 4 + channel], tolerance)) return false;
+  return true;
+}
 
 std::optional<Violation> findViolation(const HarnessFrame& original, const HarnessFrame& played, const ColorLaw& law) {
   for (std::size_t pixel = 0; pixel < original.depth.size(); ++pixel) {
-    if (original.depth[pixel] != played.depth[pixel])
+    if (!same(original.depth[pixel], played.depth[pixel], law.computed_depth ? law.tolerance : 0))
       return Violation{"law.depth", pixel, fmt::format("depth {}", asFloat(original.depth[pixel])), fmt::format("depth {}", asFloat(played.depth[pixel]))};
-    if (!played.kind.empty() && covered(original, pixel) != (played.kind[pixel] != 0))
+    const bool counted = !played.kind.empty() && played.kind[pixel] != 0;
+    if (!played.kind.empty() && covered(original, pixel) != counted && (counted || law.depth_tells_coverage))
       return Violation{"law.books", pixel, covered(original, pixel) ? "a hit or a miss" : "nothing drawn", fmt::format("kind {}", played.kind[pixel])};
+    if (law.left_out != nullptr && (*law.left_out)[pixel]) continue;
     if (law.pixels == ExactPixels::kMisses && (played.kind.empty() || played.kind[pixel] != 2)) continue;
     for (std::size_t output = 0; output < original.colors.size(); ++output)
       if (!samePixel(original.colors[output], played.colors[output], pixel, law.tolerance))

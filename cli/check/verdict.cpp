@@ -1,5 +1,7 @@
 #include "cli/check/verdict.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <nlohmann/json.hpp>
 
@@ -9,6 +11,13 @@ namespace {
 constexpr std::array<const char*, 6> kNames = {"verified", "refused", "untestable", "failed", "crashed", "hung"};
 
 std::string textOf(const nlohmann::json& json) { return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); }
+
+std::string quoted(const std::string& word) {
+  if (word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:@%") == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
 
 }  // namespace
 
@@ -54,6 +63,17 @@ CheckRequest requestFromJson(const std::string& text) {
   request.candidates = json.at("candidates");
   request.strategy = json.at("strategy");
   return request;
+}
+
+std::string repeatCommand(const CheckRequest& request, std::uint32_t seed, const std::string& strategy) {
+  const CheckRequest defaults;
+  std::string command = "reprise check " + quoted(request.path);
+  for (const std::string& directory : request.include_dirs) command += " -I " + quoted(directory);
+  for (const std::string& define : request.defines) command += " -D " + quoted(define);
+  if (request.entry_point != defaults.entry_point) command += " --entry-point " + quoted(request.entry_point);
+  if (!request.device.empty()) command += " --device " + quoted(request.device);
+  if (request.candidates != defaults.candidates) command += fmt::format(" --candidates {}", request.candidates);
+  return command + fmt::format(" --seed {} --strategy {}", seed, strategy);
 }
 
 }  // namespace reprise

@@ -40,6 +40,9 @@ struct CheckRequest {
   std::string strategy;              // empty: all
 };
 
+// The words for a shell that check the same module with the same inputs, in one strategy.
+std::string repeatCommand(const CheckRequest& request, std::uint32_t seed, const std::string& strategy);
+
 // One line of JSON each; the worker's side of the pipe and --json alike.
 std::string verdictToJson(const ModuleVerdict& verdict);
 ModuleVerdict verdictFromJson(const std::string& text);

@@ -62,7 +62,7 @@ std::string lineOf(const ModuleVerdict& verdict) {
 
 }  // namespace
 
-Result<bool> checkShaders(const CheckArguments& arguments, std::ostream& out) {
+Result<bool> checkShaders(const CheckArguments& arguments, std::ostream& out, std::ostream& progress) {
   REPRISE_TRY(checkStrategy(arguments.request.strategy));
   REPRISE_ASSIGN(const std::vector<std::string> files, filesOf(arguments.shaders));
   {
@@ -81,7 +81,7 @@ Result<bool> checkShaders(const CheckArguments& arguments, std::ostream& out) {
   std::array<int, 6> counts{};
   REPRISE_ASSIGN(const std::vector<ModuleVerdict> verdicts, runModules(requests, options, [&](const ModuleVerdict& verdict) {
                    ++counts[static_cast<std::size_t>(verdict.verdict)];
-                   if (!arguments.json) out << lineOf(verdict) << '\n' << std::flush;
+                   if (!arguments.json || !arguments.quiet) (arguments.json ? progress : out) << lineOf(verdict) << '\n' << std::flush;
                  }));
   const auto count = [&](Verdict verdict) { return counts[static_cast<std::size_t>(verdict)]; };
   if (arguments.json) {

@@ -22,8 +22,8 @@ struct CheckArguments {
   std::function<bool()> interrupted;
 };
 
-// Prints a line for each module and a summary, or one JSON document. True if nothing failed, crashed or hung. Errors: file.missing
+// Prints a line for each module and a summary; or one JSON document, the lines then going to `progress` unless quiet. True if nothing failed, crashed or hung. Errors: file.missing
 // (kInput), strategy.unknown (kUsage), device.none (kMachine), kInterrupted.
-Result<bool> checkShaders(const CheckArguments& arguments, std::ostream& out);
+Result<bool> checkShaders(const CheckArguments& arguments, std::ostream& out, std::ostream& progress);
 
 }  // namespace reprise

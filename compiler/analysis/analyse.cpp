@@ -1,5 +1,7 @@
 #include "compiler/analysis/analyse.h"
 
+#include <spirv/unified1/GLSL.std.450.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -27,6 +29,13 @@ const char* builtInName(std::uint32_t built_in) {
     case spv::BuiltIn::PrimitiveId: return "PrimitiveId";
     case spv::BuiltIn::Layer: return "Layer";
     case spv::BuiltIn::ViewportIndex: return "ViewportIndex";
+    case spv::BuiltIn::SubgroupSize: return "SubgroupSize";
+    case spv::BuiltIn::SubgroupLocalInvocationId: return "SubgroupLocalInvocationId";
+    case spv::BuiltIn::SubgroupEqMask:
+    case spv::BuiltIn::SubgroupGeMask:
+    case spv::BuiltIn::SubgroupGtMask:
+    case spv::BuiltIn::SubgroupLeMask:
+    case spv::BuiltIn::SubgroupLtMask: return "SubgroupMask";
     default: return "built-in";
   }
 }
@@ -156,6 +165,45 @@ bool usesCapability(const Module& module, std::initializer_list<spv::Capability>
   return false;
 }
 
+// Reads a varying through its pointer, as a load does.
+bool interpolatesElsewhere(const Instruction& instruction) {
+  return instruction.opcode == Op::OpExtInst && instruction.word(1) >= GLSLstd450InterpolateAtCentroid &&
+         instruction.word(1) <= GLSLstd450InterpolateAtOffset;
+}
+
+// A mask of no samples drops the fragment.
+bool writesSampleMask(const Module& module) {
+  constexpr auto kSampleMask = static_cast<std::uint32_t>(spv::BuiltIn::SampleMask);
+  return std::any_of(module.globals.begin(), module.globals.end(), [&](const Instruction& global) {
+    return global.opcode == Op::OpVariable && static_cast<StorageClass>(global.word(0)) == StorageClass::Output &&
+           decorationOf(module, global.result_id, spv::Decoration::BuiltIn) == kSampleMask;
+  });
+}
+
+bool isAtomic(Op opcode) {
+  return (opcode >= Op::OpAtomicLoad && opcode <= Op::OpAtomicXor) || opcode == Op::OpAtomicFlagTestAndSet ||
+         opcode == Op::OpAtomicFlagClear || opcode == Op::OpAtomicFAddEXT || opcode == Op::OpAtomicFMinEXT ||
+         opcode == Op::OpAtomicFMaxEXT;
+}
+
+bool readsSubgroup(Op opcode) {
+  return (opcode >= Op::OpGroupNonUniformElect && opcode <= Op::OpGroupNonUniformQuadSwap) ||
+         (opcode >= Op::OpSubgroupBallotKHR && opcode <= Op::OpSubgroupReadInvocationKHR) ||
+         opcode == Op::OpGroupNonUniformPartitionNV;
+}
+
+Error subgroupRefusal() {
+  return refused("shader.subgroup", "the shader reads its subgroup or its neighbours in it, which differ from pass to pass");
+}
+
+bool usesHelperInvocation(const ShaderAnalysis& analysis) {
+  return std::any_of(analysis.inputs.begin(), analysis.inputs.end(), [](const InputSource& input) {
+           return input.kind == InputKind::kBuiltIn && input.name == "HelperInvocation";
+         }) ||
+         std::any_of(analysis.graph.nodes.begin(), analysis.graph.nodes.end(),
+                     [](const Node& node) { return node.instruction->opcode == Op::OpIsHelperInvocationEXT; });
+}
+
 std::optional<Error> findRefusal(const PreparedShader& shader, const ShaderAnalysis& analysis) {
   const Module& module = shader.module;
   if (usesCapability(module, {spv::Capability::FragmentShaderPixelInterlockEXT,
@@ -164,10 +212,9 @@ std::optional<Error> findRefusal(const PreparedShader& shader, const ShaderAnaly
   for (std::size_t i = 0; i < analysis.graph.nodes.size(); ++i) {
     const Instruction& instruction = *analysis.graph.nodes[i].instruction;
     if (instruction.opcode == Op::OpImageWrite || instruction.opcode == Op::OpCopyMemory ||
-        (instruction.opcode >= Op::OpAtomicLoad && instruction.opcode <= Op::OpAtomicXor))
+        isAtomic(instruction.opcode))
       return refused("shader.side_effects", "the shader writes to memory, which a cached pass would drop or repeat");
-    if (instruction.opcode >= Op::OpGroupNonUniformElect && instruction.opcode <= Op::OpGroupNonUniformQuadSwap)
-      return refused("shader.subgroup", "the shader reads its subgroup neighbours, which differ from pass to pass");
+    if (readsSubgroup(instruction.opcode)) return subgroupRefusal();
     if (instruction.opcode == Op::OpStore && analysis.graph.nodes[i].root) {
       std::uint32_t pointer = instruction.word(0);
       for (auto found = analysis.graph.node_of.find(pointer); found != analysis.graph.node_of.end();
@@ -182,6 +229,11 @@ std::optional<Error> findRefusal(const PreparedShader& shader, const ShaderAnaly
         return refused("shader.side_effects", "the shader writes to memory, which a cached pass would drop or repeat");
     }
   }
+  for (const InputSource& input : analysis.inputs)
+    if (input.kind == InputKind::kBuiltIn && input.name.starts_with("Subgroup")) return subgroupRefusal();
+  if (usesHelperInvocation(analysis))
+    return refused("shader.helper_invocation",
+                   "the shader asks whether it runs for a helper pixel, which differs from pass to pass");
   for (const InputSource& input : analysis.inputs)
     if (input.kind == InputKind::kBuiltIn && (input.name == "SampleId" || input.name == "SamplePosition"))
       return refused("shader.sample_rate", "the shader runs once per sample; version 1 caches at one sample per pixel");
@@ -249,8 +301,9 @@ ShaderAnalysis analyse(const PreparedShader& shader) {
   InputFinder finder(shader, analysis);
   for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
     const Instruction& instruction = *graph.nodes[i].instruction;
-    if (instruction.opcode != Op::OpLoad) continue;
-    if (const auto input = finder.inputOf(instruction.word(0))) analysis.inputs_of[i] = {*input};
+    const bool interpolates = interpolatesElsewhere(instruction);
+    if (instruction.opcode != Op::OpLoad && !interpolates) continue;
+    if (const auto input = finder.inputOf(instruction.word(interpolates ? 2 : 0))) analysis.inputs_of[i] = {*input};
   }
   propagateInputs(analysis);
   analysis.live = neededNodes(graph, {});
@@ -260,6 +313,7 @@ ShaderAnalysis analyse(const PreparedShader& shader) {
     analysis.takes_derivatives |= analysis.live[i] && takesImplicitDerivative(opcode);
     analysis.discards |= opcode == Op::OpKill || opcode == Op::OpTerminateInvocation || opcode == Op::OpDemoteToHelperInvocation;
   }
+  analysis.discards |= writesSampleMask(shader.module);
   analysis.differentiated = neededBy(graph, [&](std::size_t i) {
     return analysis.live[i] && takesImplicitDerivative(graph.nodes[i].instruction->opcode);
   });

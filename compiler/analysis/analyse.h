@@ -36,9 +36,9 @@ struct ShaderAnalysis {
   bool takes_derivatives = false;            // live implicit-LOD samples or derivatives
   std::vector<bool> differentiated;          // by node: a live implicit-LOD sample or derivative depends on it
   std::vector<bool> decides_coverage;        // by node: which fragments are discarded, or their depth, depends on it
-  bool discards = false;
+  bool discards = false;                     // or demotes, or writes the sample mask
   // Why no variant of this shader can be made, if so: shader.side_effects, shader.subgroup, shader.interlock,
-  // shader.sample_rate, shader.ray_query, shader.limit (more than kMostInputs inputs).
+  // shader.sample_rate, shader.helper_invocation, shader.limit (more than kMostInputs inputs).
   std::optional<Error> refusal;
 };
 

@@ -38,6 +38,8 @@ Result<Module> runPasses(const Module& module, const std::function<void(spvtools
   return readModule(optimized);
 }
 
+// Blocks are nowhere merged: loops whose body or condition is merged with their continue block, or that are one block, give wrong
+// values on Mesa's CPU driver where neighbouring pixels leave them after different numbers of turns.
 Result<Module> runInlining(const Module& module) {
   return runPasses(module, [](spvtools::Optimizer& optimizer) {
     optimizer.RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())
@@ -65,7 +67,6 @@ Result<Module> promoteToSsa(const Module& module) {
         .RegisterPass(spvtools::CreateSSARewritePass())
         .RegisterPass(spvtools::CreateDeadBranchElimPass())
         .RegisterPass(spvtools::CreateAggressiveDCEPass(true))
-        .RegisterPass(spvtools::CreateBlockMergePass())
         .RegisterPass(spvtools::CreateCFGCleanupPass())
         .RegisterPass(spvtools::CreateAggressiveDCEPass(true));
   });
@@ -75,7 +76,7 @@ Result<Module> unrollMarkedLoops(const Module& module) {
   return runPasses(module, [](spvtools::Optimizer& optimizer) {
     optimizer.RegisterPass(spvtools::CreateLoopUnrollPass(true))
         .RegisterPass(spvtools::CreateDeadBranchElimPass())
-        .RegisterPass(spvtools::CreateBlockMergePass())
+        .RegisterPass(spvtools::CreateCFGCleanupPass())
         .RegisterPass(spvtools::CreateAggressiveDCEPass(true));
   });
 }
@@ -87,7 +88,6 @@ Result<Module> removeDeadCode(const Module& module) {
         .RegisterPass(spvtools::CreateAggressiveDCEPass(true))
         .RegisterPass(spvtools::CreateVectorDCEPass())
         .RegisterPass(spvtools::CreateAggressiveDCEPass(true))
-        .RegisterPass(spvtools::CreateBlockMergePass())
         .RegisterPass(spvtools::CreateCFGCleanupPass());
   });
 }

@@ -11,7 +11,7 @@ namespace reprise {
 // of something than module_limits.h allows.
 Result<Module> inlineCalls(const Module& module);
 
-// Local variables promoted to SSA values, dead code and dead branches removed, blocks merged.
+// Local variables promoted to SSA values, dead code and dead branches removed.
 Result<Module> promoteToSsa(const Module& module);
 
 // Code that no output, storage write or discard of any entry point needs is removed, with unused globals.

@@ -26,8 +26,8 @@ float coefficient(uint number) {
   return float(bits >> 8) / 8388608.0 - 1.0;
 }
 
-// The value of scalar `number`: about [-1, 1], or a coordinate, a direction or a place for some seeds.
-float wave(uint number) {
+// A coordinate, a direction or a place, or anything in about [-1, 1].
+float smoothValue(uint number) {
   uint kind = (harness.seed.y + number / 4u) % 3u;
   uint part = number % 4u;
   if (kind == 0u) return part < 2u ? uv[part] : part == 2u ? 0.5 + 0.5 * position.z : 1.0;
@@ -36,7 +36,13 @@ float wave(uint number) {
   return 0.3 * coefficient(base) + 0.5 * dot(vec3(coefficient(base + 1u), coefficient(base + 2u), coefficient(base + 3u)), position);
 }
 
-uint whole(uint number) { return uint(2.0 + 2.0 * clamp(wave(number), -0.99, 0.99)); }
+// The value of scalar `number`, in a range that goes with the style of the made-up values.
+float wave(uint number) {
+  float value = smoothValue(number) * (1.0 + uintBitsToFloat(harness.seed.z));
+  return harness.seed.w == 2u ? value * 4.0 : harness.seed.w == 3u ? 0.5 + 0.5 * value : value;
+}
+
+uint whole(uint number) { return uint(2.0 + 2.0 * clamp(smoothValue(number), -0.99, 0.99)); }
 
 )";
 
@@ -53,7 +59,7 @@ int componentsOf(const std::string& type) {
 
 Result<std::string> harnessVertexText(std::span<const std::uint32_t> fragment_words) {
   ReflectOptions options;
-  options.skip_unknown_members = true;
+  options.skip_unknown_members = options.any_arrays = options.any_bindings = true;
   REPRISE_ASSIGN(const StageInterface fragment, reflectStage(fragment_words, ShaderStage::kFragment, options));
   std::uint32_t set = 0;
   for (const Descriptor& descriptor : fragment.descriptors) set = std::max(set, descriptor.set + 1);

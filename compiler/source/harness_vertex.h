@@ -3,7 +3,8 @@
 // Vertex inputs: vec3 position, vec3 normal, vec2 uv. One uniform block HarnessScene at binding 0 of the first set that the
 // fragment shader leaves free: mat4 view_projection,
 // mat4 model, uvec4 seed. gl_Position = view_projection * model * position. Every scalar of every varying is a
-// smooth function of position, normal and uv with coefficients from the seed; integers are small and at least 0.
+// smooth function of position, normal and uv with coefficients from the seed (x, y), larger by the share z of itself (a float's bits),
+// in the range of style w; integers are small and at least 0.
 #pragma once
 
 #include <cstdint>

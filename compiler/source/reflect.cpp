@@ -72,8 +72,21 @@ std::string stageText(std::uint32_t stages) {
   return "both shaders";
 }
 
+// Whether one of them can be bound for both, as seen by Vulkan.
+bool canAlias(const Descriptor& descriptor, const Descriptor& other) {
+  return descriptor.stages == other.stages && descriptor.kind == other.kind && descriptor.dimension == other.dimension &&
+         descriptor.texel == other.texel && descriptor.compares == other.compares && descriptor.multisampled == other.multisampled &&
+         descriptor.storage_format == other.storage_format;
+}
+
 // Merges `other` into `descriptor`, which has the same set and binding.
-Result<void> mergeDescriptor(Descriptor& descriptor, const Descriptor& other) {
+Result<void> mergeDescriptor(Descriptor& descriptor, const Descriptor& other, const ReflectOptions& options) {
+  if (options.any_bindings && canAlias(descriptor, other)) {
+    const std::uint32_t count = std::max(descriptor.count, other.count);
+    if (descriptor.size_bytes < other.size_bytes) descriptor = other;
+    descriptor.count = count;
+    return {};
+  }
   const bool longer = descriptor.members.size() < other.members.size();
   const bool members_agree =
       longer ? isPrefix(descriptor.members, other.members) : isPrefix(other.members, descriptor.members);
@@ -93,7 +106,7 @@ Result<void> mergeDescriptor(Descriptor& descriptor, const Descriptor& other) {
 }
 
 Result<std::vector<Descriptor>> mergeDescriptors(const StageInterface& vertex,
-                                                 const StageInterface& fragment) {
+                                                 const StageInterface& fragment, const ReflectOptions& options) {
   std::vector<Descriptor> merged;
   for (const StageInterface* stage : {&vertex, &fragment}) {
     for (const Descriptor& descriptor : stage->descriptors) {
@@ -103,14 +116,14 @@ Result<std::vector<Descriptor>> mergeDescriptors(const StageInterface& vertex,
       if (same == merged.end()) {
         merged.push_back(descriptor);
       } else {
-        REPRISE_TRY(mergeDescriptor(*same, descriptor));
+        REPRISE_TRY(mergeDescriptor(*same, descriptor, options));
       }
     }
   }
   std::sort(merged.begin(), merged.end(), [](const Descriptor& a, const Descriptor& b) {
     return std::tie(a.set, a.binding) < std::tie(b.set, b.binding);
   });
-  for (std::size_t i = 0; i < merged.size(); ++i) {
+  for (std::size_t i = 0; i < merged.size() && !options.any_bindings; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (merged[i].name != merged[j].name) continue;
       return interfaceError("two bindings are both called \"" + merged[i].name +
@@ -179,7 +192,7 @@ Result<ShaderInterface> reflectInterface(std::span<const std::uint32_t> vertex_w
   ShaderInterface out;
   out.vertex_inputs = std::move(vertex.vertex_inputs);
   out.outputs = std::move(fragment.colors);
-  REPRISE_ASSIGN(out.descriptors, mergeDescriptors(vertex, fragment));
+  REPRISE_ASSIGN(out.descriptors, mergeDescriptors(vertex, fragment, options));
   REPRISE_TRY(mergePushConstants(vertex, fragment, out));
   out.writes_depth = fragment.writes_depth;
   out.discards = fragment.discards;

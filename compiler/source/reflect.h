@@ -20,6 +20,11 @@ namespace reprise {
 struct ReflectOptions {
   // Members that interface.h cannot describe (64 bits, unsized arrays) are left out instead of being an error.
   bool skip_unknown_members = false;
+  // Descriptor arrays without a size count as 16, arrays of arrays as one array.
+  bool any_arrays = false;
+  // Of descriptors of one kind that a stage declares at one binding the largest stands for all, and names need not differ: those
+  // that bind by name do without.
+  bool any_bindings = false;
 };
 
 // Both modules must have passed the validator and have one entry point of their stage. Errors (kInput):

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "compiler/source/block_members.h"
+#include "compiler/source/color_outputs.h"
+#include "compiler/source/image_formats.h"
 
 namespace reprise {
 namespace {
@@ -14,6 +16,8 @@ namespace {
 using spirv_cross::Compiler;
 using spirv_cross::Resource;
 using spirv_cross::SPIRType;
+
+constexpr std::uint32_t kUnsizedDescriptors = 16;
 
 Error unsupported(const std::string& message) {
   return {ErrorKind::kInput, "source.unsupported", message, {}};
@@ -127,37 +131,6 @@ Result<std::vector<VertexInput>> vertexInputs(const Compiler& compiler,
   return inputs;
 }
 
-Result<std::vector<FragmentOutput>> colorOutputs(const Compiler& compiler,
-                                                 const spirv_cross::SmallVector<Resource>& resources) {
-  std::vector<FragmentOutput> outputs;
-  for (const Resource& resource : resources) {
-    const SPIRType& type = compiler.get_type(resource.type_id);
-    FragmentOutput output;
-    output.name = nameOfVariable(compiler, resource);
-    output.location = compiler.get_decoration(resource.id, spv::DecorationLocation);
-    output.components = static_cast<int>(type.vecsize);
-    const std::optional<ScalarKind> scalar = scalarOf(type);
-    const bool plain = scalar && type.width == 32 && type.columns == 1 && type.array.size() <= 1 &&
-                       compiler.get_decoration(resource.id, spv::DecorationComponent) == 0 &&
-                       compiler.get_decoration(resource.id, spv::DecorationIndex) == 0;
-    if (!plain) {
-      return unsupported("the fragment output \"" + output.name +
-                         "\" is no scalar or vector of 32-bit floats or integers at component 0 and index 0");
-    }
-    output.scalar = *scalar;
-    const std::uint32_t elements = type.array.empty() ? 1 : std::min(arrayCount(compiler, type, 0), 256u);
-    const std::string name = output.name;
-    for (std::uint32_t i = 0; i < elements; ++i) {
-      if (!type.array.empty()) output.name = name + "[" + std::to_string(i) + "]";
-      outputs.push_back(output);
-      ++output.location;
-    }
-  }
-  std::sort(outputs.begin(), outputs.end(),
-            [](const FragmentOutput& a, const FragmentOutput& b) { return a.location < b.location; });
-  return outputs;
-}
-
 std::string blockName(const Compiler& compiler, const Resource& resource) {
   const std::string& type_name = compiler.get_name(resource.base_type_id);
   if (!type_name.empty()) return type_name;
@@ -168,17 +141,18 @@ std::string blockName(const Compiler& compiler, const Resource& resource) {
 }
 
 // What SPIRV-Cross tells of one descriptor, without what depends on its kind.
-Result<Descriptor> commonDescriptor(const Compiler& compiler, const Resource& resource,
-                                    std::uint32_t stage_bit) {
+Result<Descriptor> commonDescriptor(const Compiler& compiler, const Resource& resource, std::uint32_t stage_bit,
+                                    const ReflectOptions& options) {
   Descriptor descriptor;
   descriptor.name = nameOfVariable(compiler, resource);
   descriptor.set = compiler.get_decoration(resource.id, spv::DecorationDescriptorSet);
   descriptor.binding = compiler.get_decoration(resource.id, spv::DecorationBinding);
   descriptor.stages = stage_bit;
   const SPIRType& type = compiler.get_type(resource.type_id);
-  if (type.array.size() > 1)
+  if (type.array.size() > 1 && !options.any_arrays)
     return unsupported("\"" + descriptor.name + "\" is an array of arrays of descriptors");
-  if (!type.array.empty()) descriptor.count = arrayCount(compiler, type, 0);
+  for (std::size_t i = 0; i < type.array.size(); ++i) descriptor.count *= arrayCount(compiler, type, i);
+  if (descriptor.count == 0 && options.any_arrays) descriptor.count = kUnsizedDescriptors;
   if (descriptor.count == 0)
     return unsupported("\"" + descriptor.name + "\" is a descriptor array without a size");
   return descriptor;
@@ -199,22 +173,6 @@ std::optional<ImageDimension> dimensionOf(const SPIRType::ImageType& image) {
   }
 }
 
-// GLSL's names of the formats that images are usually stored in.
-std::string formatName(spv::ImageFormat format) {
-  switch (format) {
-    case spv::ImageFormatRgba32f: return "rgba32f";
-    case spv::ImageFormatRgba16f: return "rgba16f";
-    case spv::ImageFormatR32f: return "r32f";
-    case spv::ImageFormatRgba8: return "rgba8";
-    case spv::ImageFormatRgba32i: return "rgba32i";
-    case spv::ImageFormatR32i: return "r32i";
-    case spv::ImageFormatRgba32ui: return "rgba32ui";
-    case spv::ImageFormatR32ui: return "r32ui";
-    case spv::ImageFormatUnknown: return "";
-    default: return "other";
-  }
-}
-
 class DescriptorList {
  public:
   DescriptorList(const Compiler& compiler, std::uint32_t stage_bit, const ReflectOptions& options)
@@ -222,7 +180,7 @@ class DescriptorList {
 
   Result<void> addBlocks(const spirv_cross::SmallVector<Resource>& resources, DescriptorKind kind) {
     for (const Resource& resource : resources) {
-      REPRISE_ASSIGN(Descriptor descriptor, commonDescriptor(compiler_, resource, stage_bit_));
+      REPRISE_ASSIGN(Descriptor descriptor, commonDescriptor(compiler_, resource, stage_bit_, options_));
       descriptor.kind = kind;
       descriptor.name = blockName(compiler_, resource);
       REPRISE_ASSIGN(descriptor.members, flattenBlock(compiler_, resource.base_type_id, descriptor.name, options_));
@@ -236,7 +194,7 @@ class DescriptorList {
 
   Result<void> addImages(const spirv_cross::SmallVector<Resource>& resources, DescriptorKind kind) {
     for (const Resource& resource : resources) {
-      REPRISE_ASSIGN(Descriptor descriptor, commonDescriptor(compiler_, resource, stage_bit_));
+      REPRISE_ASSIGN(Descriptor descriptor, commonDescriptor(compiler_, resource, stage_bit_, options_));
       descriptor.kind = kind;
       if (kind != DescriptorKind::kSampler) {
         const SPIRType::ImageType& image = compiler_.get_type(resource.base_type_id).image;

@@ -36,6 +36,19 @@ std::string vec4Text(const float* values) {
   return fmt::format("vec4({:#.9g}, {:#.9g}, {:#.9g}, {:#.9g})", values[0], values[1], values[2], values[3]);
 }
 
+bool isEarlyTests(const Instruction& mode) {
+  return mode.opcode == spv::Op::OpExecutionMode &&
+         static_cast<spv::ExecutionMode>(mode.word(1)) == spv::ExecutionMode::EarlyFragmentTests;
+}
+
+bool testsEarly(const ShaderProgram& program) {
+  const std::vector<Instruction>& modes = program.fragment->module.execution_modes;
+  return std::any_of(modes.begin(), modes.end(), isEarlyTests);
+}
+
+// Whether not all fragments are drawn at the depth of their triangle.
+bool decidesDepth(const ShaderProgram& program) { return program.analysis.discards || program.interface.writes_depth; }
+
 // A GLSL array with a vec4 for each target.
 std::string targetsText(const ChannelFloats& values, std::size_t targets) {
   std::string text = "vec4[](";
@@ -231,7 +244,10 @@ class RecipeBuilder {
   Result<void> buildFragment(const PassPlan& plan, const std::string& name) {
     Bodies wanted = plan.bodies;
     wanted.wants = plan.reads_history && !guards_.empty();
-    REPRISE_ASSIGN(const PayloadBodies bodies, makeBodies(*program_.fragment, candidate_.values, wanted));
+    REPRISE_ASSIGN(PayloadBodies bodies, makeBodies(*program_.fragment, candidate_.values, wanted));
+    // A pass that discards what another draws must not have written its depth by then. The shader itself does not mind: it
+    // neither discards nor writes depth.
+    if (strategy_.passes.size() > 1) std::erase_if(bodies.module.execution_modes, isEarlyTests);
     Macros values = macros();
     const int cache_location = plan.app_targets ? cache_location_ : 0;
     values["CACHE_LOCATION"] = std::to_string(cache_location);
@@ -246,12 +262,10 @@ class RecipeBuilder {
     return addRewritten(name, "fragment", linkFrame(bodies.module, frame, bindings));
   }
 
-  bool decidesDepth() const { return program_.analysis.discards || program_.interface.writes_depth; }
-
   Result<void> chooseFragment(const PassPlan& plan, Pass& pass) {
-    if (plan.source == FragmentSource::kNone || (plan.only_if_discards && !decidesDepth())) {
+    if (plan.source == FragmentSource::kNone || (plan.only_if_discards && !decidesDepth(program_))) {
       // The original's prepass needs its fragment code too where that decides which fragments there are.
-      if (plan.source == FragmentSource::kNone && decidesDepth())
+      if (plan.source == FragmentSource::kNone && decidesDepth(program_))
         return Error{ErrorKind::kRefused, "state.prepass_discards",
                      "a depth prepass of this shader would have to run it, as it discards or writes depth", {}};
       return {};
@@ -328,6 +342,16 @@ Result<BuiltRecipe> buildRecipe(const ShaderProgram& program, const Candidate& c
     return Error{ErrorKind::kInput, "strategy.unknown", "there is no strategy '" + options.strategy + "'", {}};
   REPRISE_CHECK(std::has_single_bit(options.block_pixels) && options.block_pixels >= 2, options.block_pixels);
   if (strategy->caches && program.analysis.refusal) return *program.analysis.refusal;
+  if (strategy->caches && strategy->passes.size() > 1 && testsEarly(program) && decidesDepth(program))
+    return Error{ErrorKind::kRefused, "state.early_tests",
+                 "'" + strategy->name +
+                     "' tells hits from misses by discarding, which early_fragment_tests makes too late for this shader", {}};
+  const bool compares_equal = std::any_of(strategy->passes.begin(), strategy->passes.end(),
+                                          [](const PassPlan& pass) { return pass.depth == DepthUse::kEqualNoWrite; });
+  if (strategy->caches && compares_equal && program.interface.writes_depth)
+    return Error{ErrorKind::kRefused, "state.computed_depth",
+                 "'" + strategy->name +
+                     "' needs equal depths in several passes, which drivers need not compute for a shader that writes depth", {}};
   if (strategy->rejects_by_depth && !limits.strict_depth_with_writes)
     return Error{ErrorKind::kRefused, "state.depth_compare",
                  "'" + strategy->name + "' tells hits from misses by depth and needs a LESS or GREATER test with writes", {}};

@@ -40,9 +40,9 @@ struct BuiltRecipe {
 };
 
 // Errors (kRefused): shader.*, vertex.*, variable.use (see the transforms); state.depth_compare, state.no_stencil,
-// state.targets; filter.integer (an integer payload with another filter than nearest); strategy.unknown (kInput). Every
-// module has passed the validator: one that does not is our bug and reported as kRefused rewrite.invalid, so that a run
-// goes on. `candidate` is not looked at by strategies that do not cache.
+// state.targets, state.early_tests, state.computed_depth; filter.integer (an integer payload with another filter than
+// nearest); strategy.unknown (kInput). Every module has passed the validator: one that does not is our bug and reported as
+// kRefused rewrite.invalid, so that a run goes on. `candidate` is not looked at by strategies that do not cache.
 Result<BuiltRecipe> buildRecipe(const ShaderProgram& program, const Candidate& candidate, const VariantOptions& options,
                                 const StateLimits& limits);
 

@@ -1,6 +1,7 @@
 #include "profiler/harness/harness.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
@@ -32,7 +33,8 @@ std::vector<MeshSpec> meshes() {
 }
 
 // The ball passes before the knot, the knot turns, the floor stands; the camera goes round.
-SceneBlock sceneAt(int frame, std::size_t object, std::uint32_t seed) {
+SceneBlock sceneAt(int frame, std::size_t object, const HarnessOptions& options) {
+  const std::uint32_t seed = options.seed;
   const float time = static_cast<float>(frame);
   SceneBlock block;
   const float angle = 0.3f * static_cast<float>(seed) + 0.015f * time;
@@ -44,7 +46,7 @@ SceneBlock sceneAt(int frame, std::size_t object, std::uint32_t seed) {
   if (object == 0) block.model = glm::translate(block.model, glm::vec3(-0.8f + 0.05f * time, 0.2f, 0.9f));
   if (object == 1) block.model = glm::rotate(glm::translate(block.model, glm::vec3(0.3f, 0.2f, -0.2f)), 0.02f * time, glm::vec3(0, 1, 0));
   if (object == 2) block.model = glm::translate(block.model, glm::vec3(0, -0.9f, 0));
-  block.seed = glm::uvec4(seed * 0x9e3779b9u + 1, seed, 0, 0);
+  block.seed = glm::uvec4(seed * 0x9e3779b9u + 1, seed, std::bit_cast<std::uint32_t>(options.varying_nudge), (seed - 1) % 4);
   return block;
 }
 
@@ -80,14 +82,14 @@ struct Harness::State {
   MadeUpDescriptors descriptors;
   Buffer scene_blocks;
   std::vector<VkPushConstantRange> push_ranges;
-  std::vector<std::byte> push_constants;
+  std::vector<std::byte> first_push_constants, push_constants;
   std::vector<DrawnMesh> meshes;
   std::vector<Image> colors;
   Image depth;
   std::unique_ptr<Readback> readback;
 
   Result<void> createTargets();
-  void writeScene(int frame);
+  void writeInputs(int frame);
   FrameInputs frameInputs(std::uint32_t period_frames) const;
   void draw(PassContext& pass) const;
   Result<std::vector<std::uint32_t>> words(const ReadbackSource& source);
@@ -127,7 +129,7 @@ Result<Harness> Harness::create(const Context& context, Commands& commands, cons
     state->push_ranges.push_back({range.stages, range.offset, range.size_bytes});
     push_bytes = std::max<std::size_t>(push_bytes, range.offset + range.size_bytes);
   }
-  state->push_constants = madeUpBlock(interface.push_constant_members, push_bytes, values);
+  state->first_push_constants = madeUpBlock(interface.push_constant_members, push_bytes, values);
   state->readback = std::make_unique<Readback>(context);
   REPRISE_TRY(state->createTargets());
   return Harness(std::move(state));
@@ -199,11 +201,13 @@ Result<Player> Harness::createPlayer(const Package& package, bool original) cons
                         package, pipeline, options);
 }
 
-void Harness::State::writeScene(int frame) {
+void Harness::State::writeInputs(int frame) {
   for (std::size_t object = 0; object < meshes.size(); ++object) {
-    const SceneBlock block = sceneAt(frame, object, options.seed);
+    const SceneBlock block = sceneAt(frame, object, options);
     std::memcpy(&scene_blocks.mapped[kSlotBytes * object], &block, sizeof block);
   }
+  moveBlocks(descriptors, frame);
+  push_constants = blockAtFrame(interface->push_constant_members, first_push_constants, frame);
 }
 
 FrameInputs Harness::State::frameInputs(std::uint32_t period_frames) const {
@@ -253,7 +257,7 @@ Result<std::vector<std::uint32_t>> Harness::State::words(const ReadbackSource& s
 
 Result<HarnessFrame> Harness::play(Player& player, const Shot& shot) {
   State& state = *state_;
-  state.writeScene(shot.frame);
+  state.writeInputs(shot.frame);
   const FrameInputs inputs = state.frameInputs(shot.period_frames);
   REPRISE_TRY(state.commands->run(
       [&](VkCommandBuffer buffer) { return player.record(buffer, inputs, [&](PassContext& pass) { state.draw(pass); }); }));

@@ -2,8 +2,8 @@
 //
 // Two meshes before a third, in motion before a camera in motion, draw with the vertex shader of compiler/source/harness_vertex.h,
 // whose block is the descriptor named HarnessScene. Everything else that the shader reads is filled from the seed: uniform and
-// storage blocks by the types of their members (floats in [0, 1), integers in 0..3, matrices near the identity), push constants,
-// images of every dimension with mip levels, texel buffers, samplers. Colour targets are 32 bits a channel, of the output's kind;
+// storage blocks by the types of their members, push constants, images of every dimension with mip levels or samples, texel buffers,
+// samplers; in a style that the seed chooses (made_up_values.h). Uniform blocks and push constants drift from frame to frame. Colour targets are 32 bits a channel, of the output's kind;
 // the depth target has stencil. The same seed gives the same frames.
 #pragma once
 
@@ -19,6 +19,7 @@ namespace reprise {
 struct HarnessOptions {
   std::uint32_t seed = 1;
   std::uint32_t width = 64, height = 64;
+  float varying_nudge = 0;  // every float varying is larger by this share of itself
 };
 
 struct HarnessFrame {

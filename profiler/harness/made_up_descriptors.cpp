@@ -10,7 +10,7 @@ namespace {
 
 constexpr VkShaderStageFlags kBothStages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
 constexpr std::size_t kUnsizedArrayBytes = 4096;  // room for arrays without a size at the end of storage blocks
-constexpr std::uint32_t kMostDescriptors = 64;    // of one array
+constexpr std::uint32_t kMostDescriptors = 4096;  // of one array
 
 class DescriptorMaker {
  public:
@@ -114,6 +114,7 @@ class DescriptorMaker {
     REPRISE_ASSIGN(Buffer made, createBuffer(device_, size, stores ? VK_BUFFER_USAGE_STORAGE_BUFFER_BIT : VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT));
     std::memcpy(made.mapped.data(), bytes.data(), size);
     made_.buffers.push_back(std::move(made));
+    if (!stores) made_.moving.push_back({descriptor.members, bytes, made_.buffers.size() - 1});
     return made_.buffers.back().buffer.get();
   }
 
@@ -181,6 +182,13 @@ class DescriptorMaker {
 Result<MadeUpDescriptors> makeUpDescriptors(const Context& context, Commands& commands, const ShaderInterface& interface,
                                             const Descriptor* own, MadeUpValues& values) {
   return DescriptorMaker(context, commands, interface, own, values).make();
+}
+
+void moveBlocks(MadeUpDescriptors& descriptors, int frame) {
+  for (const MovingBlock& block : descriptors.moving) {
+    const std::vector<std::byte> bytes = blockAtFrame(block.members, block.bytes, frame);
+    std::memcpy(descriptors.buffers[block.buffer].mapped.data(), bytes.data(), bytes.size());
+  }
 }
 
 }  // namespace reprise

@@ -7,7 +7,7 @@
 
 namespace reprise {
 
-// Sampled images have mip levels that differ, so that a wrong derivative shows; storage images have one level, in GENERAL layout.
+// Multisampled images have four samples (made_up_samples.h). Sampled images have mip levels that differ, so that a wrong derivative shows; storage images have one level, in GENERAL layout.
 // Errors: harness.unsupported (kInput), device.*.
 Result<Image> madeUpImage(const Context& context, Commands& commands, const Descriptor& descriptor, MadeUpValues& values);
 

@@ -1,4 +1,8 @@
 // Seeded contents for blocks and texels: varied, finite and tame enough to index and to loop with.
+//
+// The seed also chooses their style, one of four in turn, as a shader may show nothing for one of them: floats in [0, 1) with
+// integers in 0..3, floats in [-1, 1) with integers in 0..1, floats in [0, 8) with integers in 0..7, and floats in [0, 2) with
+// integers in 0..15.
 #pragma once
 
 #include <cstddef>
@@ -9,19 +13,29 @@
 
 namespace reprise {
 
+enum class MadeUpStyle : std::uint32_t { kFractions, kSigned, kLarge, kCounts };
+MadeUpStyle styleOf(std::uint32_t seed);
+
 // A sequence of pseudo-random numbers; the same for the same seed.
 class MadeUpValues {
  public:
-  explicit MadeUpValues(std::uint32_t seed) : state_(seed * 0x9e3779b9u + 0x7f4a7c15u) {}
+  explicit MadeUpValues(std::uint32_t seed) : state_(seed * 0x9e3779b9u + 0x7f4a7c15u), style_(styleOf(seed)) {}
+  MadeUpStyle style() const { return style_; }
   std::uint32_t bits();
   float fraction();             // [0, 1)
   std::uint32_t below(std::uint32_t count) { return bits() % count; }
+  float number();               // in the style's range
+  std::uint32_t whole();        // in the style's range
 
  private:
   std::uint32_t state_;
+  MadeUpStyle style_;
 };
 
-// `size_bytes` of a block: members by their type, what no member tells as floats in [0, 1).
+// `size_bytes` of a block: members by their type, what no member tells as floats.
 std::vector<std::byte> madeUpBlock(const std::vector<BlockMember>& members, std::size_t size_bytes, MadeUpValues& values);
+
+// The block some frames later: floats drift a little from frame to frame, matrices and integers stay. Frame 0 is the block itself.
+std::vector<std::byte> blockAtFrame(const std::vector<BlockMember>& members, const std::vector<std::byte>& block, int frame);
 
 }  // namespace reprise

@@ -23,7 +23,8 @@
   X(vkDestroyShaderModule) X(vkDeviceWaitIdle) X(vkEndCommandBuffer) X(vkFreeMemory)                       \
   X(vkGetBufferMemoryRequirements) X(vkGetDeviceQueue) X(vkGetImageMemoryRequirements)                     \
   X(vkGetQueryPoolResults) X(vkMapMemory) X(vkQueueSubmit) X(vkResetCommandBuffer) X(vkResetFences)        \
-  X(vkUpdateDescriptorSets) X(vkWaitForFences) X(vkCreateBufferView) X(vkDestroyBufferView)
+  X(vkUpdateDescriptorSets) X(vkWaitForFences) X(vkCreateBufferView) X(vkDestroyBufferView)                \
+  X(vkCmdClearAttachments)
 
 // Core in Vulkan 1.3, else under the name of the extension; looked up under both.
 #define REPRISE_DEVICE_FUNCTIONS_KHR(X) X(vkCmdBeginRendering) X(vkCmdEndRendering)

@@ -41,7 +41,7 @@ Result<Image> createImage(const DeviceView& device, const ImageDescription& desc
   create.extent = description.extent;
   create.mipLevels = description.mip_levels;
   create.arrayLayers = description.layers;
-  create.samples = VK_SAMPLE_COUNT_1_BIT;
+  create.samples = description.samples;
   create.tiling = VK_IMAGE_TILING_OPTIMAL;
   create.usage = description.usage;
   VkImage image = VK_NULL_HANDLE;

@@ -14,6 +14,7 @@ struct ImageDescription {
   VkImageUsageFlags usage = 0;
   VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;  // of the view
   VkImageViewType view_type = VK_IMAGE_VIEW_TYPE_2D;
+  VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
 };
 
 struct Image {

@@ -32,6 +32,17 @@ TEST(CheckCommand, JsonHasEveryModule) {
   for (const char* key : {"path", "reason", "candidates", "seconds"}) EXPECT_TRUE(modules[0].contains(key)) << key;
 }
 
+TEST(CheckCommand, JsonGoesWithProgressOnStandardError) {
+  TemporaryFolder folder;
+  const std::string shader = (folder / "constant.frag").string();
+  writeText(shader, "#version 450\nlayout(location = 0) out vec4 color;\nvoid main() { color = vec4(1.0); }\n");
+  const CommandOutcome told = runCommand({REPRISE_EXECUTABLE, "check", "--json", shader});
+  EXPECT_NE(told.errors.find("constant.frag: refused candidate.none"), std::string::npos) << told.all();
+  EXPECT_TRUE(nlohmann::json::accept(told.output));
+  const CommandOutcome quiet = runCommand({REPRISE_EXECUTABLE, "check", "--json", "--quiet", shader});
+  EXPECT_TRUE(quiet.errors.empty()) << quiet.all();
+}
+
 TEST(CheckCommand, TakesSpirvAssembly) {
   TemporaryFolder folder;
   const std::string binary = (folder / "loop.spv").string(), text = (folder / "loop.spvasm").string();

@@ -69,6 +69,38 @@ TEST(FrameLaws, WhatIsDrawnIsAHitOrAMiss) {
   EXPECT_EQ(findViolation(frameOf(1, 2), invented, lawOf(ExactPixels::kAll))->law, "law.books");
 }
 
+TEST(FrameLaws, ComputedDepthMayBeRounded) {
+  HarnessFrame other = frameOf(1, 2);
+  ++other.depth[1];
+  ColorLaw law = lawOf(ExactPixels::kAll, 1e-5);
+  EXPECT_TRUE(findViolation(frameOf(1, 2), other, law));
+  law.computed_depth = true;
+  EXPECT_FALSE(findViolation(frameOf(1, 2), other, law));
+  law.tolerance = 0;
+  EXPECT_TRUE(findViolation(frameOf(1, 2), other, law));
+}
+
+TEST(FrameLaws, EarlyTestsLeaveDepthOfWhatIsDiscarded) {
+  HarnessFrame discarded = frameOf(1, 2), invented = frameOf(1, 2);
+  discarded.kind[2] = 0;
+  invented.kind[0] = 1;
+  ColorLaw law = lawOf(ExactPixels::kAll);
+  law.depth_tells_coverage = false;
+  EXPECT_FALSE(findViolation(frameOf(1, 2), discarded, law));
+  EXPECT_TRUE(findViolation(frameOf(1, 2), invented, law));
+}
+
+TEST(FrameLaws, PixelsLeftOutAreCountedButNotCompared) {
+  const std::vector<bool> left_out = {false, true, false};
+  ColorLaw law = lawOf(ExactPixels::kAll);
+  law.left_out = &left_out;
+  EXPECT_FALSE(findViolation(frameOf(1, 2), frameOf(1.5f, 2), law));
+  EXPECT_TRUE(findViolation(frameOf(1, 2), frameOf(1, 2.5f), law));
+  HarnessFrame lost = frameOf(1, 2);
+  lost.kind[1] = 0;
+  EXPECT_EQ(findViolation(frameOf(1, 2), lost, law)->law, "law.books");
+}
+
 TEST(MeaninglessInputs, AreToldWithTheReason) {
   const std::vector<FragmentOutput> outputs = {{"color", 0, ScalarKind::kFloat, 4}};
   EXPECT_EQ(whyMeaningless(frameOf(1, 2), outputs), "");

@@ -87,6 +87,19 @@ TEST_F(RunModules, AnInterruptStopsEveryWorker) {
   EXPECT_EQ(verdicts.error().kind, ErrorKind::kInterrupted);
 }
 
+TEST(RepeatCommand, HasAllThatTheInputsDependOn) {
+  CheckRequest request;
+  request.path = "a.frag";
+  EXPECT_EQ(repeatCommand(request, 2, "branch"), "reprise check a.frag --seed 2 --strategy branch");
+  request.path = "it's.frag";
+  request.include_dirs = {"my includes"};
+  request.defines = {"SIZE=4", "FAST"};
+  request.entry_point = "shade";
+  request.candidates = 3;
+  EXPECT_EQ(repeatCommand(request, 1, "two_pass"),
+            "reprise check 'it'\\''s.frag' -I 'my includes' -D SIZE=4 -D FAST --entry-point shade --candidates 3 --seed 1 --strategy two_pass");
+}
+
 TEST(VerdictJson, ComesBackAsItWas) {
   ModuleVerdict verdict{"a \"b\".frag", Verdict::kFailed, "law.misses_exact", "x", 2, 3, 1, {"two_pass: state.depth_compare"}, 1.5};
   const ModuleVerdict back = verdictFromJson(verdictToJson(verdict));

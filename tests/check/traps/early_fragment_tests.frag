@@ -1,0 +1,13 @@
+// expect: verified
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "surface.glsl"
+layout(location = 0) in vec3 place;
+layout(location = 1) in vec2 uv;
+layout(location = 0) out vec4 color;
+layout(early_fragment_tests) in;
+void main() {
+  vec3 base = marble(place);
+  if (base.x > 0.4) discard;
+  color = vec4(base * waves(place.x), 1.0);
+}

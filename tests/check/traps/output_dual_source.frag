@@ -1,0 +1,13 @@
+// expect: refused shader.dual_source
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "surface.glsl"
+layout(location = 0) in vec3 place;
+layout(location = 1) in vec2 uv;
+layout(location = 0, index = 0) out vec4 color;
+layout(location = 0, index = 1) out vec4 blend;
+void main() {
+  vec3 base = marble(place);
+  color = vec4(base, 1.0);
+  blend = vec4(base.zyx * waves(place.x), 0.5);
+}

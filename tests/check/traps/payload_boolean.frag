@@ -1,0 +1,14 @@
+// expect: verified
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "surface.glsl"
+layout(location = 0) in vec3 place;
+layout(location = 1) in vec2 uv;
+layout(location = 0) out vec4 color;
+layout(set = 0, binding = 0) uniform Light { vec4 tint; vec4 steps; ivec4 counts; } light;
+
+void main() {
+  vec3 base = marble(place);
+  bool lit = base.x * waves(place.x) > 0.1 && waves(place.y) < 0.9;
+  color = lit ? light.tint : vec4(place, 0.5);
+}
