@@ -234,6 +234,8 @@ std::optional<Error> findRefusal(const PreparedShader& shader, const ShaderAnaly
   if (usesHelperInvocation(analysis))
     return refused("shader.helper_invocation",
                    "the shader asks whether it runs for a helper pixel, which differs from pass to pass");
+  if (usesCapability(module, {spv::Capability::SampleRateShading}))
+    return refused("shader.sample_rate", "the shader runs once per sample; version 1 caches at one sample per pixel");
   for (const InputSource& input : analysis.inputs)
     if (input.kind == InputKind::kBuiltIn && (input.name == "SampleId" || input.name == "SamplePosition"))
       return refused("shader.sample_rate", "the shader runs once per sample; version 1 caches at one sample per pixel");

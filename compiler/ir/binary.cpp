@@ -95,6 +95,7 @@ bool isTerminator(Op opcode) {
 // False if the instruction cannot stand where it does.
 bool placeInFunction(Reader& reader, Instruction instruction) {
   Function& function = reader.module.functions.back();
+  if (instruction.opcode == Op::OpFunction) return false;
   if (instruction.opcode == Op::OpFunctionEnd) {
     reader.in_function = false;
     return true;
@@ -144,7 +145,11 @@ spv_result_t onInstruction(void* user, const spv_parsed_instruction_t* parsed) {
   }
   if (reader.in_function) {
     if (placeInFunction(reader, std::move(instruction))) return SPV_SUCCESS;
-    reader.failure = "an instruction of a function stands outside any block";
+    reader.failure = "an instruction stands where none of its kind may, outside any block or within a function";
+    return SPV_ERROR_INVALID_BINARY;
+  }
+  if (instruction.opcode == Op::OpFunctionEnd || instruction.opcode == Op::OpFunctionParameter || instruction.opcode == Op::OpLabel) {
+    reader.failure = "an instruction of a function stands outside any function";
     return SPV_ERROR_INVALID_BINARY;
   }
   std::vector<Instruction>* section = sectionOf(reader.module, instruction.opcode);

@@ -67,6 +67,9 @@ Result<Module> promoteToSsa(const Module& module) {
         .RegisterPass(spvtools::CreateSSARewritePass())
         .RegisterPass(spvtools::CreateDeadBranchElimPass())
         .RegisterPass(spvtools::CreateAggressiveDCEPass(true))
+        // Variables whose access chains were converted are seen as such once the dead chains are gone.
+        .RegisterPass(spvtools::CreateSSARewritePass())
+        .RegisterPass(spvtools::CreateAggressiveDCEPass(true))
         .RegisterPass(spvtools::CreateCFGCleanupPass())
         .RegisterPass(spvtools::CreateAggressiveDCEPass(true));
   });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <spirv_cross/spirv_cross.hpp>
 #include <utility>
 
 namespace reprise {
@@ -44,9 +45,9 @@ void add(std::vector<FragmentOutput>& outputs, const FragmentOutput& output) {
 
 }  // namespace
 
-Result<std::vector<FragmentOutput>> colorOutputs(const Compiler& compiler, const spirv_cross::SmallVector<Resource>& resources) {
+Result<std::vector<FragmentOutput>> colorOutputs(const Compiler& compiler, const spirv_cross::ShaderResources& resources) {
   std::vector<FragmentOutput> outputs;
-  for (const Resource& resource : resources) {
+  for (const Resource& resource : resources.stage_outputs) {
     const SPIRType& type = compiler.get_type(resource.type_id);
     FragmentOutput output;
     const std::string& given = compiler.get_name(resource.id);

@@ -1,9 +1,11 @@
 #include "compiler/source/image_formats.h"
 
+#include <spirv_cross/spirv_cross.hpp>
+
 namespace reprise {
 
-std::string formatName(spv::ImageFormat format) {
-  switch (format) {
+std::string formatName(std::uint32_t format) {
+  switch (static_cast<spv::ImageFormat>(format)) {
     case spv::ImageFormatUnknown: return "";
     case spv::ImageFormatRgba32f: return "rgba32f";
     case spv::ImageFormatRgba16f: return "rgba16f";

@@ -28,7 +28,7 @@ class Walk {
 
   Result<void> run() {
     REPRISE_TRY(allow("ids", bound_, kMaxIds));
-    parts_.assign(bound_, 0);
+    parts_.assign(bound_, {});
     constants_.assign(bound_, 0);
     group_.assign(bound_, 0);
     labels_.assign(bound_, {});
@@ -43,6 +43,7 @@ class Walk {
     REPRISE_TRY(allow("blocks", blocks_, kMostBlocks));
     REPRISE_TRY(allow("loops", loops_, kMostLoops));
     REPRISE_TRY(allow("selections", selections_, kMostSelections));
+    REPRISE_TRY(allow("parts in one type", largest_type_, kMostPartsOfType));
     REPRISE_TRY(allow("parts of types, over all their uses,", used_parts_, kMostTypeParts));
     REPRISE_TRY(allow("decorations by groups", group_decorations_, kMostGroupDecorations));
     for (const std::uint32_t entry : entry_points_)
@@ -55,6 +56,10 @@ class Walk {
   struct Label {
     bool seen = false, awaited = false;
     std::uint16_t opened = 0;  // open constructs that go on here
+  };
+
+  struct Parts {
+    std::uint64_t whole = 0, split = 0;  // arrays counted once, arrays counted by elements
   };
 
   struct Function {
@@ -116,28 +121,39 @@ class Walk {
   }
 
   void visitType(Op opcode) {
-    std::uint64_t parts = 1;
+    Parts parts{1, 1};
     switch (opcode) {
       case Op::OpTypeStruct:
-        for (std::size_t i = 1; i + 1 < length_; ++i) parts = sum(parts, partsOf(id(i)));
+        for (std::size_t i = 1; i + 1 < length_; ++i) {
+          parts.whole = sum(parts.whole, partsOf(id(i)).whole);
+          parts.split = sum(parts.split, partsOf(id(i)).split);
+        }
         break;
-      case Op::OpTypeArray: parts = sum(1, product(partsOf(id(1)), elementsOf(id(2)))); break;
+      case Op::OpTypeArray:
+        parts = {sum(1, partsOf(id(1)).whole), sum(1, product(partsOf(id(1)).split, elementsOf(id(2))))};
+        break;
       case Op::OpTypeRuntimeArray:
-      case Op::OpTypeMatrix: parts = sum(1, partsOf(id(1))); break;
-      case Op::OpTypePointer: parts = partsOf(id(2)); break;
+      case Op::OpTypeMatrix: parts = {sum(1, partsOf(id(1)).whole), sum(1, partsOf(id(1)).split)}; break;
+      case Op::OpTypePointer: {
+        const Parts pointee = partsOf(id(2));
+        const bool local = length_ > 2 && words_[at_ + 2] == static_cast<std::uint32_t>(spv::StorageClass::Function);
+        parts_[id(0)].whole = local ? pointee.split : pointee.whole;
+        return;
+      }
       case Op::OpConstant:
         if (length_ > 3) constants_[id(1)] = words_[at_ + 3];
         return;
       default:
         // Of what is no type the first operand is the result's type, if it is one at all.
-        used_parts_ = std::min(used_parts_ + (parts_[id(0)] > 1 ? parts_[id(0)] : 0), kMostTypeParts + 1);
+        if (parts_[id(0)].whole > 1) used_parts_ = sum(used_parts_, parts_[id(0)].whole);
         return;
     }
     parts_[id(0)] = parts;
-    if (opcode != Op::OpTypePointer) used_parts_ = std::min(used_parts_ + parts, kMostTypeParts + 1);
+    largest_type_ = std::max(largest_type_, parts.whole);
+    used_parts_ = sum(used_parts_, parts.whole);
   }
 
-  std::uint64_t partsOf(std::uint32_t type) const { return std::max<std::uint64_t>(parts_[type], 1); }
+  Parts partsOf(std::uint32_t type) const { return {std::max<std::uint64_t>(parts_[type].whole, 1), std::max<std::uint64_t>(parts_[type].split, 1)}; }
 
   // A length that is no constant is taken for long.
   std::uint32_t elementsOf(std::uint32_t length) const {
@@ -188,7 +204,7 @@ class Walk {
   std::span<const std::uint32_t> words_;
   std::uint32_t bound_ = 0;
   std::size_t at_ = 0, length_ = 0;
-  std::vector<std::uint64_t> parts_;  // of types, by id; 0: no type with parts
+  std::vector<Parts> parts_;          // of types, by id; of pointers `whole` alone
   std::vector<std::uint32_t> group_;  // decorations, by id
   std::vector<Label> labels_;
   std::vector<std::uint32_t> constants_;  // first word of the value, by id
@@ -199,7 +215,7 @@ class Walk {
   std::unordered_map<std::uint32_t, std::size_t> function_of_;  // by id: index
   std::vector<std::uint32_t> entry_points_;                     // functions
   std::size_t blocks_ = 0, loops_ = 0, selections_ = 0;
-  std::uint64_t used_parts_ = 0, group_decorations_ = 0;
+  std::uint64_t largest_type_ = 0, used_parts_ = 0, group_decorations_ = 0;
 };
 
 }  // namespace

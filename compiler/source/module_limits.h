@@ -25,8 +25,9 @@ inline constexpr std::size_t kMostBlocks = 8192;
 inline constexpr std::size_t kMostLoops = 1024;
 inline constexpr std::size_t kMostSelections = 1024;
 inline constexpr std::size_t kMostNesting = 64;  // of loops and selections in one function
-// Members of a type, those of its members included, are visited by the validator for each use and become variables when
-// locals are taken apart. Counted for each result and member of that type.
+// A type's parts are itself and those of its members. The validator visits them for each use, and those of local variables,
+// where elements of arrays count, too, become variables when locals are taken apart. Of one type, and over all results.
+inline constexpr std::uint64_t kMostPartsOfType = 8192;
 inline constexpr std::uint64_t kMostTypeParts = 1u << 21;
 // Decorations of groups times what they are given to: the validator copies them.
 inline constexpr std::uint64_t kMostGroupDecorations = 1u << 20;

@@ -201,7 +201,7 @@ class DescriptorList {
         descriptor.texel = scalarOf(compiler_.get_type(image.type)).value_or(ScalarKind::kFloat);
         descriptor.compares = image.depth;
         descriptor.multisampled = image.ms;
-        if (kind == DescriptorKind::kStorageImage) descriptor.storage_format = formatName(image.format);
+        if (kind == DescriptorKind::kStorageImage) descriptor.storage_format = formatName(static_cast<std::uint32_t>(image.format));
         if (image.dim == spv::DimBuffer) {
           const bool stores = kind == DescriptorKind::kStorageImage;
           descriptor.kind = stores ? DescriptorKind::kStorageTexelBuffer : DescriptorKind::kUniformTexelBuffer;
@@ -305,7 +305,7 @@ Result<StageInterface> reflectWith(Compiler& compiler, ShaderStage stage, const 
   if (vertex) {
     REPRISE_ASSIGN(out.vertex_inputs, vertexInputs(compiler, active.stage_inputs));
   } else {
-    REPRISE_ASSIGN(out.colors, colorOutputs(compiler, active.stage_outputs));
+    REPRISE_ASSIGN(out.colors, colorOutputs(compiler, active));
     out.writes_depth = compiler.get_execution_mode_bitset().get(spv::ExecutionModeDepthReplacing);
   }
   REPRISE_ASSIGN(out.descriptors, descriptorsOf(compiler, active, stage_bit, options));

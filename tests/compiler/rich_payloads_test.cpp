@@ -209,6 +209,12 @@ TEST(Partials, TheHitBodyComputesTheOtherTermsAndTheMissBodyKeepsTheOrder) {
   EXPECT_EQ(countOf(miss, spv::Op::OpFAdd), countOf(original, spv::Op::OpFAdd) + 3) << "the chain as it was, and the part beside it";
 }
 
+// A variable that is read by component in a condition once stayed in memory, and every read of it depended on every write.
+TEST(Candidates, AVariableReadByComponentIsPromoted) {
+  const auto shader = analysedWhole(shaderOf("vec3 base = p.xyz;\nif (base.x > 0.2) base += exp(sin(q.x)) * q.zyx;\ncolor = vec4(base, 1.0);"));
+  EXPECT_EQ(countOf(*findFunction(shader->shader.module, shader->shader.entry_function), spv::Op::OpVariable), 0);
+}
+
 TEST(Candidates, WhatDecidesADiscardIsNone) {
   const auto shader = analysedWhole(shaderOf("float cover = exp(sin(p.x));\nif (cover > 1.5) discard;\ncolor = q * exp(p.y);"));
   EXPECT_EQ(shader->named("cover").dropped.code, "value.coverage");

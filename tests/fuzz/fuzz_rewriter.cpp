@@ -10,8 +10,8 @@
 
 namespace {
 
-constexpr int kAttempts = 24;    // at a mutation that leaves the module valid
-constexpr int kMostMutations = 3;
+constexpr int kAttempts = 6;  // at a mutation that leaves the module valid
+constexpr int kMostMutations = 2;
 constexpr std::size_t kCandidates = 1;
 
 std::vector<std::uint32_t> wordsOf(const std::uint8_t* data, std::size_t size) {

@@ -4,6 +4,7 @@
 
 #include <iostream>
 
+#include "compiler/ir/module.h"
 #include "profiler/scenario/read_scenario.h"
 #include "runtime/base/file.h"
 #include "runtime/package/package.h"
@@ -53,6 +54,20 @@ INSTANTIATE_TEST_SUITE_P(Modules, HostileModuleTest, testing::ValuesIn(hostileMo
 TEST(LongShader, Of30000InstructionsIsAccepted) {
   const std::vector<std::uint32_t> words = longShader(30000);
   EXPECT_EQ(expectBounded([&] { return answerOf(rewriteAll(words, {1, 16})); }), "accepted");
+}
+
+// Found by fuzz_spirv_reader: with a line of its own such an instruction did not come back from writing.
+TEST(SpirvReader, RefusesPartsOfFunctionsOutsideOfOne) {
+  constexpr std::uint32_t kFunctionEnd = 1u << 16 | 56, kLabel = 2u << 16 | 248;
+  std::vector<std::uint32_t> ended_twice = longShader(30), label_behind = longShader(30);
+  ended_twice.push_back(kFunctionEnd);
+  label_behind.insert(label_behind.end(), {kLabel, label_behind[3]});
+  ++label_behind[3];
+  for (const auto& words : {ended_twice, label_behind}) {
+    const Result<Module> module = readModule(words);
+    ASSERT_FALSE(module.ok());
+    EXPECT_EQ(module.error().code, "spirv.invalid");
+  }
 }
 
 std::string repeated(const std::string& text, std::size_t most_bytes = kMostFileBytes) {

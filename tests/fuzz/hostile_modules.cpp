@@ -368,7 +368,7 @@ const std::vector<HostileModule>& hostileModules() {
       {"ManyLoopsAtLimit", nested(1), 1000},
       {"ManyNestedLoopsAtLimit", nested(62), 16},
       {"GiantSwitchAtLimit", giantSwitch, 8000},
-      {"NestedTypesAtLimit", nestedTypes, 13},
+      {"NestedTypesAtLimit", nestedTypes, 12},
       {"LargeLocalsAtLimit", largeLocals, 100},
       {"ManyReturnsAtLimit", manyReturns, 1000},
       {"HugeBoundAtLimit", hugeBound, (1u << 20) - 1}};

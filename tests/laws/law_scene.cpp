@@ -38,6 +38,7 @@ const Candidate& LawScene::candidate() const {
     const bool wanted = scenario == "several_values" ? several && candidate.channels > 4 && allNamed(candidate)
                         : scenario == "guarded"      ? candidate.conditional
                         : scenario == "regrouped"    ? regrouped
+                        : scenario == "integer"      ? !several && candidate.name == "key"
                         : scenario == "loop_result"  ? candidate.name == "sum"
                                                      : !several && !regrouped && !candidate.conditional && candidate.share < 0.9;
     if (wanted) return candidate;

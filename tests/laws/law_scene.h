@@ -33,7 +33,7 @@ class LawScene {
   const Context& context() const { return *context_; }
   Subject& subject() { return subject_; }
   // The kept candidate with the largest share that is not the whole shader: of the kind that the scenario is named for
-  // (several_values, guarded, regrouped, loop_result), else a single value that is computed for every pixel.
+  // (several_values, guarded, regrouped, integer, loop_result), else a single value that is computed for every pixel.
   const Candidate& candidate() const;
   ValueRanges ranges() const;
 

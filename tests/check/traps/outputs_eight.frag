@@ -1,4 +1,4 @@
-// expect: refused state.targets
+// expect: verified
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "surface.glsl"
