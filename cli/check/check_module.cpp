@@ -10,10 +10,10 @@
 #include "cli/check/capabilities.h"
 #include "cli/check/endless_loops.h"
 #include "cli/check/frame_laws.h"
+#include "cli/check/harness_program.h"
 #include "cli/check/unsteady_pixels.h"
 #include "compiler/ir/optimize.h"
 #include "compiler/ir/reproducible.h"
-#include "compiler/source/harness_vertex.h"
 #include "compiler/source/validate.h"
 #include "compiler/strategies/build_recipe.h"
 #include "compiler/strategies/registry.h"
@@ -57,18 +57,6 @@ std::string whyNone(const std::vector<Candidate>& values) {
   return fmt::format("none of {} values can be kept; most often: {} [{}]", values.size(), most->dropped.message, most->dropped.code);
 }
 
-Result<Subject> readSubjectOf(const CompiledShader& fragment) {
-  ReflectOptions lenient;
-  lenient.skip_unknown_members = lenient.any_arrays = lenient.any_bindings = true;
-  REPRISE_ASSIGN(const std::string text, harnessVertexText(fragment.words));
-  CompileOptions options;
-  options.stage = ShaderStage::kVertex;
-  REPRISE_ASSIGN(const CompiledShader vertex, compileText(text, "harness.vert", options));
-  Subject subject;
-  REPRISE_ASSIGN(subject.program, readProgram(vertex, fragment, lenient));
-  return subject;
-}
-
 struct Exactness {
   double tolerance = 0;
   bool leave_out_unsteady = false;  // pixels (cli/check/unsteady_pixels.h)
@@ -100,7 +88,7 @@ class ModuleCheck {
   }
 
   Result<void> check(const CompiledShader& fragment) {
-    REPRISE_ASSIGN(subject_, readSubjectOf(fragment));
+    REPRISE_ASSIGN(subject_.program, harnessProgram(fragment));
     if (subject_.program.analysis.refusal) return *subject_.program.analysis.refusal;
     if (subject_.program.interface.outputs.empty())
       return Error{ErrorKind::kRefused, "output.none", "the shader has no colour output that a payload could serve", {}};
@@ -195,8 +183,7 @@ class ModuleCheck {
       REPRISE_ASSIGN(const bool shows, showsSomething(candidate, strategy.name, *frames));
       if (!shows) return false;
     }
-    if (held == 0) return last_refusal_;
-    return true;
+    return held == 0 ? Result<bool>(last_refusal_) : Result<bool>(true);
   }
 
   Result<bool> showsSomething(const Candidate& candidate, const std::string& strategy, const std::vector<HarnessFrame>& moving) {
@@ -328,36 +315,43 @@ Result<CompiledShader> withValues(const CompiledShader& shader) {
   REPRISE_ASSIGN(const Module module, readModule(shader.words));
   REPRISE_ASSIGN(const Module inlined, inlineCalls(module));
   REPRISE_ASSIGN(const Module promoted, promoteToSsa(inlined));
-  CompiledShader result = shader;
-  result.words = writeModule(promoted);
-  return result;
+  CompiledShader values = shader;
+  values.words = writeModule(promoted);
+  return values;
 }
 
-// Of a module whose variants differ from it by more than rounding: whether it differs from itself, so that the device is to blame.
-Result<ModuleVerdict> blamed(const ModuleVerdict& failed, const ModuleVerdict& of_values) {
-  if (of_values.verdict != Verdict::kVerified) return failed;
-  ModuleVerdict verdict = of_values;
+ModuleVerdict untestable(ModuleVerdict verdict, const std::string& code, const std::string& reason) {
   verdict.verdict = Verdict::kUntestable;
-  verdict.code = "device.inconsistent";
-  verdict.reason = "the device draws the original differently once its variables are values, and then all variants equal it";
+  verdict.code = code;
+  verdict.reason = reason;
   return verdict;
 }
 
-Result<ModuleVerdict> checkCompiled(const CheckRequest& request, const std::function<void()>& original_runs) {
-  REPRISE_ASSIGN(const CompiledShader given, compile(request.path, compileOptionsOf(request)));
-  ContextOptions options;
-  options.device = request.device;
-  REPRISE_ASSIGN(const Context context, Context::create(options));
-  const std::string lacking = missingCapability(given.words, context);
-  if (!lacking.empty())
-    return Error{ErrorKind::kRefused, "device.capability", "the module needs the capability " + lacking + ", which the device lacks", {}};
-  REPRISE_ASSIGN(Commands commands, Commands::create(context));
-  REPRISE_ASSIGN(const CompiledShader fragment, changed(given, withDefinedValues));
+// Of a module whose variants differ from it by more than rounding: whether it differs from itself, so that the device is to blame.
+ModuleVerdict blamed(const ModuleVerdict& failed, const ModuleVerdict& of_values) {
+  if (of_values.verdict != Verdict::kVerified) return failed;
+  return untestable(of_values, "device.inconsistent",
+                    "the device draws the original differently once its variables are values, and then all variants equal it");
+}
+
+// A broken law says nothing where the device ended the shader's loops. Looked at last, and whatever hinders the look leaves the
+// failure as it is.
+ModuleVerdict unlessEndless(const ModuleVerdict& failed, const CompiledShader& fragment, const Context& context, Commands& commands) {
+  if (failed.verdict != Verdict::kFailed) return failed;
+  const Result<bool> endless = loopsEndlessly(fragment, failed.seed, context, commands);
+  if (!endless.ok() || !*endless) return failed;
+  return untestable(failed, "original.endless",
+                    fmt::format("with seed {} the shader itself loops more than {} times, and the device decides what comes of that",
+                                failed.seed, kEndlessIterations));
+}
+
+// Holds the laws, first bit by bit, then with the liberties that rounding takes.
+Result<ModuleVerdict> checkFragment(const CheckRequest& request, const CompiledShader& fragment, const Context& context, Commands& commands,
+                                    const std::function<void()>& original_runs) {
   const auto check = [&](const CompiledShader& shader, double tolerance, bool leave_out_unsteady = false) {
     return ModuleCheck(request, context, commands, original_runs).run(shader, {tolerance, leave_out_unsteady});
   };
   ModuleVerdict verdict = check(fragment, 0);
-  if (verdict.verdict == Verdict::kFailed) REPRISE_TRY(refuseEndless(fragment, verdict.seed, context, commands));
   if (verdict.verdict != Verdict::kFailed || verdict.code == "law.books") return verdict;
   // A driver may round the same expression differently in another surrounding. That is no fault of the rewrite if it is little, and if
   // it is next to nothing, or gone where the driver has no such freedom.
@@ -379,6 +373,20 @@ Result<ModuleVerdict> checkCompiled(const CheckRequest& request, const std::func
   }
   REPRISE_ASSIGN(const CompiledShader of_values, withValues(fragment));
   return blamed(rounded.verdict == Verdict::kFailed ? rounded : verdict, check(of_values, kLittleRounding));
+}
+
+Result<ModuleVerdict> checkCompiled(const CheckRequest& request, const std::function<void()>& original_runs) {
+  REPRISE_ASSIGN(const CompiledShader given, compile(request.path, compileOptionsOf(request)));
+  ContextOptions options;
+  options.device = request.device;
+  REPRISE_ASSIGN(const Context context, Context::create(options));
+  const std::string lacking = missingCapability(given.words, context);
+  if (!lacking.empty())
+    return Error{ErrorKind::kRefused, "device.capability", "the module needs the capability " + lacking + ", which the device lacks", {}};
+  REPRISE_ASSIGN(Commands commands, Commands::create(context));
+  REPRISE_ASSIGN(const CompiledShader fragment, changed(given, withDefinedValues));
+  REPRISE_ASSIGN(const ModuleVerdict verdict, checkFragment(request, fragment, context, commands, original_runs));
+  return unlessEndless(verdict, fragment, context, commands);
 }
 
 }  // namespace

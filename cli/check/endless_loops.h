@@ -11,8 +11,8 @@ namespace reprise {
 // More than this many iterations in one invocation count as endless; lavapipe stops all loops after 65,535.
 inline constexpr std::uint32_t kEndlessIterations = 60000;
 
-// Looked for where a law is broken, with the inputs of one seed. Error (kInput): original.endless, where a copy that ends its loops
-// after so many iterations shows another image (by more than 1e-3 of the value). Or those of the harness.
-Result<void> refuseEndless(const CompiledShader& fragment, std::uint32_t seed, const Context& context, Commands& commands);
+// Plays the shader with the inputs of one seed, and a copy that ends its loops after so many iterations: true if a frame shows
+// another image (by more than 1e-3 of the value). False without loops. Errors: those of the harness.
+Result<bool> loopsEndlessly(const CompiledShader& fragment, std::uint32_t seed, const Context& context, Commands& commands);
 
 }  // namespace reprise

@@ -19,24 +19,25 @@
 
 namespace reprise {
 
-struct DropReason {
-  std::string code;     // "" for a kept candidate
-  std::string message;
-};
-
 // Reasons, in the order in which they are tested:
 //   type.unsupported     not a scalar or vector that a payload can carry (payload_type.h)
 //   place.loop           computed inside a loop: one pixel has many of it
 //   value.uniform        depends on no varying and no built-in: the same all over the screen
 //   value.rearranged     a load, an extraction or a composition of other values
 //   value.coverage       what is discarded, or the fragment's depth, depends on it: a kept value would move edges
+//   pruned.many          beyond kMostWeighed values that are left
 //   tail.derivative      the rest of the shader takes derivatives of what depends on it
-//   pruned.many          beyond kMostWeighed values that are left before derivatives are looked at
 //   pruned.cheap         saves less than CandidateOptions::least_share of the shader's cost
 //   pruned.channels      several values that save too little more than fewer do
 //   pruned.duplicate     another candidate saves the same within same_cost_share, and is smaller or changes with less
 //   pruned.dominated     another candidate saves at least as much, changes with no more inputs and needs no more channels
 //   pruned.rank          beyond the CandidateOptions::most best ones, or the best of its kind
+struct DropReason {
+  std::string code;     // "" for a kept candidate
+  std::string message;
+};
+
+// One of the values of a payload.
 struct CandidateValue {
   std::uint32_t value = 0;       // result id in the prepared module; of a regrouped chain its root's
   int node = kNoNode;            // of `value`

@@ -6,6 +6,10 @@
 #include "compiler/source/module_limits.h"
 
 namespace reprise {
+
+// None of the lists of passes below merges blocks: loops whose body or condition is merged with their continue block, or that are
+// one block, give wrong values on Mesa's CPU driver where neighbouring pixels leave them after different numbers of turns.
+
 namespace {
 
 spv_target_env environmentOf(std::uint32_t version) {
@@ -38,8 +42,6 @@ Result<Module> runPasses(const Module& module, const std::function<void(spvtools
   return readModule(optimized);
 }
 
-// Blocks are nowhere merged: loops whose body or condition is merged with their continue block, or that are one block, give wrong
-// values on Mesa's CPU driver where neighbouring pixels leave them after different numbers of turns.
 Result<Module> runInlining(const Module& module) {
   return runPasses(module, [](spvtools::Optimizer& optimizer) {
     optimizer.RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())

@@ -1,0 +1,12 @@
+// A fragment shader with the vertex shader that the harness makes up for it.
+#pragma once
+
+#include "compiler/strategies/shader_program.h"
+
+namespace reprise {
+
+// Lenient in what the interface holds: the harness makes up contents for what scenarios cannot give. Errors: those of
+// harnessVertexText and readProgram.
+Result<ShaderProgram> harnessProgram(const CompiledShader& fragment);
+
+}  // namespace reprise
