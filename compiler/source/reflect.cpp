@@ -1,6 +1,7 @@
 #include "compiler/source/reflect.h"
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -79,8 +80,26 @@ bool canAlias(const Descriptor& descriptor, const Descriptor& other) {
          descriptor.storage_format == other.storage_format;
 }
 
+// An image and a sampler at one binding, both in the same shader, are the halves of a combined image sampler (Vulkan
+// specification, "Shader Resource and Descriptor Type Correspondence"); nothing where the two are something else.
+std::optional<Descriptor> joinHalves(const Descriptor& one, const Descriptor& other) {
+  const bool first_is_sampler = one.kind == DescriptorKind::kSampler;
+  const Descriptor &sampler = first_is_sampler ? one : other, &image = first_is_sampler ? other : one;
+  const bool is_image = image.kind == DescriptorKind::kSampledImage || image.kind == DescriptorKind::kCombinedImageSampler;
+  if (sampler.kind != DescriptorKind::kSampler || !is_image || image.count != sampler.count || image.multisampled) return std::nullopt;
+  Descriptor joined = image;
+  joined.kind = DescriptorKind::kCombinedImageSampler;
+  joined.compares = image.compares || sampler.compares;
+  joined.stages |= sampler.stages;
+  return joined;
+}
+
 // Merges `other` into `descriptor`, which has the same set and binding.
 Result<void> mergeDescriptor(Descriptor& descriptor, const Descriptor& other, const ReflectOptions& options) {
+  if (const std::optional<Descriptor> joined = joinHalves(descriptor, other)) {
+    descriptor = *joined;
+    return {};
+  }
   if (options.any_bindings && canAlias(descriptor, other)) {
     const std::uint32_t count = std::max(descriptor.count, other.count);
     if (descriptor.size_bytes < other.size_bytes) descriptor = other;

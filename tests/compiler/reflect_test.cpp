@@ -63,6 +63,28 @@ TEST(Reflect, MarbleHasItsBlocksInputsAndOutput) {
   EXPECT_EQ(found->outputs[0].components, 4);
 }
 
+TEST(Reflect, JoinsAnImageAndASamplerAtOneBinding) {
+  const Result<ShaderInterface> found =
+      reflect(kPlainVertex, fragmentWith("layout(set = 0, binding = 2) uniform texture3D fog;\n"
+                                         "layout(set = 0, binding = 2) uniform sampler fog_sampler;\n",
+                                         "textureLod(sampler3D(fog, fog_sampler), vec3(0.5), 0.0).x"));
+  ASSERT_TRUE(found.ok()) << formatError(found.error());
+  ASSERT_EQ(found->descriptors.size(), 1u);
+  EXPECT_EQ(found->descriptors[0].name, "fog");
+  EXPECT_EQ(found->descriptors[0].kind, DescriptorKind::kCombinedImageSampler);
+  EXPECT_EQ(found->descriptors[0].dimension, ImageDimension::k3D);
+}
+
+TEST(Reflect, RefusesASamplerWhereAnotherShaderHasABlock) {
+  const std::string message =
+      errorOf(reflect(kPlainVertex, fragmentWith("layout(set = 0, binding = 2) uniform texture2D fog;\n"
+                                                 "layout(set = 0, binding = 3) uniform sampler fog_sampler;\n"
+                                                 "layout(set = 0, binding = 3) uniform Wind { float gust; } wind;\n",
+                                                 "wind.gust * textureLod(sampler2D(fog, fog_sampler), vec2(0.5), 0.0).x")))
+          .message;
+  EXPECT_NE(message.find("binding 3"), std::string::npos) << message;
+}
+
 TEST(Reflect, FlattensStructsArraysAndMatrices) {
   const Result<ShaderInterface> found =
       reflect(kPlainVertex, fragmentWith("struct Light { vec3 place; float power; };\n"
