@@ -80,7 +80,7 @@ bool canAlias(const Descriptor& descriptor, const Descriptor& other) {
          descriptor.storage_format == other.storage_format;
 }
 
-// An image and a sampler at one binding, both in the same shader, are the halves of a combined image sampler (Vulkan
+// An image and a sampler at one binding are the halves of a combined image sampler, in one shader or in two (Vulkan
 // specification, "Shader Resource and Descriptor Type Correspondence"); nothing where the two are something else.
 std::optional<Descriptor> joinHalves(const Descriptor& one, const Descriptor& other) {
   const bool first_is_sampler = one.kind == DescriptorKind::kSampler;
