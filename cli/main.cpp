@@ -159,7 +159,7 @@ int runCheck(Words& words) {
 
 void addOptimize(CLI::App& app, Words& words) {
   CLI::App* command = app.add_subcommand("optimize", "find, measure and package the fastest variant under an error threshold");
-  command->add_option("scenario", words.optimize.scenario, "TOML file (docs/scenario.md)")->required();
+  command->add_option("scenario", words.optimize.scenario, "TOML file (docs/scenario.md), or a glTF model (.gltf, .glb)")->required();
   command->add_option("--max-error", words.optimize.max_error, "threshold of the metric")->capture_default_str();
   command->add_option("--metric", words.optimize.metric, "rms, mean, p95, ssim, flip, over8 or flicker")->capture_default_str();
   command->add_option("--budget", words.budget, "time for training, such as 120s or 2m");

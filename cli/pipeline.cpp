@@ -9,6 +9,7 @@
 
 #include "cli/describe_run.h"
 #include "cli/fit.h"
+#include "cli/model_scenario.h"
 #include "cli/report/write_report.h"
 #include "cli/subject.h"
 #include "cli/train.h"
@@ -256,11 +257,20 @@ void describeOriginal(const Training& training, const FittedTraining& fitted, co
   }
 }
 
+// A model that comes alone gets a scenario of its own, in the workspace.
+Result<Subject> subjectOf(const OptimizeArguments& arguments) {
+  if (!isModelFile(arguments.scenario)) return readSubject(arguments.scenario);
+  REPRISE_ASSIGN(const std::string text, modelScenario(arguments.scenario));
+  const std::filesystem::path made = std::filesystem::path(arguments.output) / "work" / "model.toml";
+  REPRISE_TRY(writeFile(made, text));
+  return readSubject(made);
+}
+
 }  // namespace
 
 Result<RunResult> optimize(const OptimizeArguments& arguments, Progress& progress) {
   REPRISE_TRY(checkArguments(arguments));
-  REPRISE_ASSIGN(const Subject subject, readSubject(arguments.scenario));                       // 1 compile .. 4 enumerate
+  REPRISE_ASSIGN(const Subject subject, subjectOf(arguments));                                  // 1 compile .. 4 enumerate
   REPRISE_ASSIGN(const DeviceSummary device, chosenDevice(arguments.device));
   REPRISE_ASSIGN(const Workspace workspace, Workspace::open(arguments.output));
   REPRISE_TRY(copyInputs(subject, workspace.scenarioFile()));
@@ -293,6 +303,8 @@ Result<RunResult> optimize(const OptimizeArguments& arguments, Progress& progres
 
   result.candidates = describeCandidates(subject, training, fitted, selection, arguments.metric);
   result.warnings = training.warnings;
+  for (const ModelSpec& model : subject.scenario.models)
+    for (const std::string& warning : model.scene->warnings) result.warnings.push_back("model '" + model.name + "': " + warning);
   result.not_reached = training.not_reached;
   for (const ValidationAttempt& attempt : validated.attempts) result.attempts.push_back(describeAttempt(fitted, attempt));
   if (validated.accepted) describeAccepted(subject, training, fitted, validated.chosen(), result);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cli/standard_shaders.h"
 #include "compiler/source/compile.h"
 #include "profiler/scenario/read_scenario.h"
 #include "runtime/base/file.h"
@@ -18,14 +19,30 @@ Result<CompiledShader> compileStage(const Scenario& scenario, const std::string&
   return compile(path, options);
 }
 
+// The model's file and those that it names, which keep their places relative to it.
+Result<void> copyModel(const std::filesystem::path& directory, ModelSpec& model) {
+  if (model.path.empty()) return {};
+  const std::filesystem::path from = std::filesystem::path(model.path).parent_path();
+  std::vector<std::string> files = model.scene->files;
+  files.push_back(std::filesystem::path(model.path).filename().string());
+  for (const std::string& file : files) {
+    REPRISE_ASSIGN(const std::string bytes, readFile(from / file));
+    REPRISE_TRY(writeFile(directory / file, bytes));
+  }
+  model.path = (directory / files.back()).string();
+  return {};
+}
+
 }  // namespace
 
 Result<Subject> readSubject(const std::filesystem::path& scenario_file) {
   Subject subject;
   REPRISE_ASSIGN(subject.scenario, readScenario(scenario_file));
   const Scenario& scenario = subject.scenario;
-  REPRISE_ASSIGN(const CompiledShader vertex, compileStage(scenario, scenario.vertex_path, ShaderStage::kVertex));
-  REPRISE_ASSIGN(const CompiledShader fragment, compileStage(scenario, scenario.fragment_path, ShaderStage::kFragment));
+  REPRISE_ASSIGN(const CompiledShader fragment, scenario.fragment_path.empty() ? standardFragment(scenario)
+                                                                               : compileStage(scenario, scenario.fragment_path, ShaderStage::kFragment));
+  REPRISE_ASSIGN(const CompiledShader vertex, scenario.vertex_path.empty() ? standardVertex(scenario, fragment)
+                                                                           : compileStage(scenario, scenario.vertex_path, ShaderStage::kVertex));
   REPRISE_ASSIGN(subject.program, readProgram(vertex, fragment));
   REPRISE_TRY(checkBindings(scenario, subject.program.interface));
   subject.candidates = enumerateCandidates(*subject.program.fragment, subject.program.analysis, subject.program.sources, {});
@@ -58,6 +75,7 @@ Result<void> copyInputs(const Subject& subject, const std::filesystem::path& sce
     texture.path = (directory / (std::to_string(i) + "_" + std::filesystem::path(texture.path).filename().string())).string();
     REPRISE_TRY(writeFile(texture.path, bytes));
   }
+  for (std::size_t i = 0; i < copy.models.size(); ++i) REPRISE_TRY(copyModel(directory / ("model_" + std::to_string(i)), copy.models[i]));
   for (const SourceFile& source : subject.program.sources)
     REPRISE_TRY(writeFile(directory / "sources" / std::filesystem::path(source.path).filename(), source.text));
   return writeFile(scenario_file, writeScenario(copy, directory));

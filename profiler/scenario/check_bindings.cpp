@@ -4,6 +4,7 @@
 #include "profiler/scenario/names.h"
 #include "profiler/scenario/near_names.h"
 #include "profiler/scenario/read_scenario.h"
+#include "profiler/scenario/standard_names.h"
 #include "profiler/scenario/track_size.h"
 
 namespace reprise {
@@ -70,6 +71,8 @@ std::string semanticMismatch(Semantic semantic, const BlockMember& member) {
       return single && member.columns == 1 && (member.rows == 2 || member.rows == 4)
                  ? ""
                  : "a vec2, or a vec4 that takes the inverse, too";
+    default:
+      return modelSemanticMismatch(semantic, member);
   }
   return "";
 }
@@ -117,7 +120,14 @@ void checkUniforms(const Scenario& scenario, const ShaderInterface& interface, D
           binding.place);
     }
   }
-  for (const std::string& name : names) {
+  for (const Member& member : members) {
+    const std::string& name = member.name;
+    if (const auto semantic = standardSemantic(name)) {
+      const std::string wanted = semanticMismatch(*semantic, member.shape);
+      if (!wanted.empty())
+        diagnostics.add("value", "uniform '" + name + "' is " + shapeText(member.shape) + ", expected " + wanted, {scenario.vertex_path, 0, 0});
+      continue;
+    }
     const bool bound = std::any_of(scenario.uniforms.begin(), scenario.uniforms.end(),
                                    [&](const UniformBinding& binding) { return binding.member == name; });
     if (!bound) {
@@ -167,6 +177,7 @@ void checkTextures(const Scenario& scenario, const ShaderInterface& interface, D
                     texture.place);
   }
   for (const std::string& name : names) {
+    if (isStandardTexture(name)) continue;
     const bool given = std::any_of(scenario.textures.begin(), scenario.textures.end(),
                                    [&](const TextureSpec& texture) { return texture.name == name; });
     if (!given) {
@@ -178,7 +189,8 @@ void checkTextures(const Scenario& scenario, const ShaderInterface& interface, D
 }
 
 void checkVertexInputs(const Scenario& scenario, const ShaderInterface& interface, Diagnostics& diagnostics) {
-  const std::vector<std::string> known = {"position", "normal", "tangent", "uv", "color"};
+  std::vector<std::string> known = {"position", "normal", "tangent", "uv", "color"};
+  for (const std::string& name : deformInputs()) known.push_back(name);
   for (const VertexInput& input : interface.vertex_inputs) {
     const Place place = {scenario.vertex_path, 0, 0};
     if (std::find(known.begin(), known.end(), input.name) == known.end()) {

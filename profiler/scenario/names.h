@@ -29,7 +29,18 @@ inline constexpr NameWithValue<Semantic> kSemantics[] = {{"view", Semantic::kVie
                                                       {"camera_position", Semantic::kCameraPosition},
                                                       {"time", Semantic::kTime},
                                                       {"frame", Semantic::kFrame},
-                                                      {"resolution", Semantic::kResolution}};
+                                                      {"resolution", Semantic::kResolution},
+                                                      {"joint_matrices", Semantic::kJointMatrices},
+                                                      {"joint_count", Semantic::kJointCount},
+                                                      {"morph_weights", Semantic::kMorphWeights},
+                                                      {"base_color_factor", Semantic::kBaseColorFactor},
+                                                      {"metallic_roughness", Semantic::kMetallicRoughness},
+                                                      {"emissive_factor", Semantic::kEmissiveFactor},
+                                                      {"alpha_cutoff", Semantic::kAlphaCutoff},
+                                                      {"light_position", Semantic::kLightPosition},
+                                                      {"light_color", Semantic::kLightColor},
+                                                      {"light_direction", Semantic::kLightDirection},
+                                                      {"light_count", Semantic::kLightCount}};
 
 inline constexpr NameWithValue<TextureKind> kTextureKinds[] = {{"file", TextureKind::kFile},
                                                             {"checker", TextureKind::kChecker},

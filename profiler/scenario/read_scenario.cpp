@@ -1,5 +1,6 @@
 #include "profiler/scenario/read_scenario.h"
 
+#include "profiler/scenario/read_models.h"
 #include "profiler/scenario/read_motion.h"
 #include "profiler/scenario/read_sections.h"
 #include "profiler/scenario/scenario_hash.h"
@@ -42,8 +43,8 @@ void readObjects(TableReader& root, Scenario& scenario) {
     scenario.objects.push_back(std::move(object));
   }
   expectDistinct(scenario.objects, nodes, "objects", root.diagnostics());
-  if (!root.has("object")) {
-    root.diagnostics().add("missing_key", "the scenario has no [[object]], expected at least one",
+  if (!root.has("object") && !root.has("model")) {
+    root.diagnostics().add("missing_key", "the scenario has no [[object]] and no [[model]], expected at least one",
                            root.table().place);
   }
 }
@@ -104,10 +105,11 @@ void readSessions(TableReader& root, Scenario& scenario) {
 void readRoot(const TomlNode& document, const fs::path& directory, Scenario& scenario, Diagnostics& diagnostics) {
   TableReader root(document, "the scenario", diagnostics);
   root.readText("name", scenario.name);
-  if (const TomlNode* shader = root.find("shader", Need::kRequired))
+  if (const TomlNode* shader = root.find("shader"))
     readShader(*shader, directory, scenario, diagnostics);
   if (const TomlNode* render = root.find("render")) readRender(*render, scenario, diagnostics);
   readObjects(root, scenario);
+  readModels(root, directory, scenario);
   scenario.uniforms_place = {scenario.path, 0, 0};
   if (const TomlNode* uniforms = root.find("uniforms")) {
     scenario.uniforms_place = uniforms->place;
@@ -133,6 +135,7 @@ Result<Scenario> readScenario(const fs::path& path) {
   readRoot(document, absolute.parent_path(), scenario, diagnostics);
   sortByPlace(diagnostics);
   if (!diagnostics.errors.empty()) return mergeErrors(diagnostics);
+  REPRISE_TRY(loadModels(scenario));
   REPRISE_ASSIGN(scenario.hash, hashScenario(scenario));
   return scenario;
 }

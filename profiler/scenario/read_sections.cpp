@@ -13,8 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string readPath(TableReader& reader, const std::string& key, const fs::path& directory) {
-  const TomlNode* node = reader.find(key, Need::kRequired);
+std::string readPath(TableReader& reader, const std::string& key, const fs::path& directory, Need need = Need::kRequired) {
+  const TomlNode* node = reader.find(key, need);
   std::string text;
   reader.readText(key, text);
   return text.empty() ? text : resolvePath(*node, directory, false, reader.diagnostics());
@@ -141,6 +141,9 @@ void readSessionMotions(TableReader& reader, const Scenario& scenario, SessionSp
         readMotion(*motion, "the motion of '" + object.name + "' in session '" + session.name + "'",
                    reader.diagnostics());
   }
+  for (const ModelSpec& model : scenario.models)
+    if (const TomlNode* motion = motions.find(model.name))
+      session.motions[model.name] = readMotion(*motion, "the motion of '" + model.name + "' in session '" + session.name + "'", reader.diagnostics());
   motions.finish();
 }
 
@@ -195,8 +198,8 @@ std::string resolvePath(const TomlNode& node, const fs::path& directory, bool is
 
 void readShader(const TomlNode& node, const fs::path& directory, Scenario& scenario, Diagnostics& diagnostics) {
   TableReader reader(node, "[shader]", diagnostics);
-  scenario.fragment_path = readPath(reader, "fragment", directory);
-  scenario.vertex_path = readPath(reader, "vertex", directory);
+  scenario.fragment_path = readPath(reader, "fragment", directory, Need::kOptional);
+  scenario.vertex_path = readPath(reader, "vertex", directory, Need::kOptional);
   reader.readText("fragment_entry_point", scenario.fragment_entry_point);
   reader.readText("vertex_entry_point", scenario.vertex_entry_point);
   if (const TomlNode* folders = reader.find("include_dirs")) {

@@ -5,11 +5,13 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "profiler/gltf/gltf_scene.h"
 #include "runtime/base/result.h"
 
 namespace reprise {
@@ -93,15 +95,44 @@ struct MeshSpec {
   bool operator==(const MeshSpec&) const = default;
 };
 
+// Which primitive of which model an object draws: indices into Scenario::models and GltfScene::instances.
+struct ModelPart {
+  std::size_t model = 0, instance = 0;
+  bool operator==(const ModelPart&) const = default;
+};
+
 struct Object {
   std::string name;
   MeshSpec mesh;
   Motion motion;
+  std::optional<ModelPart> part = {};  // of a model, instead of mesh and motion
   bool operator==(const Object&) const = default;
 };
 
+// A glTF file, or a made-up figure. Its primitives are objects of the scenario, named "model.0", "model.1", ...
+struct ModelSpec {
+  std::string name;
+  std::string path;            // absolute; empty: the figure
+  int segments = 12;           // of the figure's capsules
+  std::optional<std::string> animation;  // by name; none: the first; "": the pose at rest
+  float speed = 1;             // of the animation
+  float phase_s = 0;           // how far the animation is at the start
+  std::array<float, 4> color = {1, 1, 1, 1};  // times the materials' base colour
+  Motion motion;
+  Place place;
+  std::shared_ptr<const GltfScene> scene;  // what was read; not compared
+
+  bool operator==(const ModelSpec& other) const {
+    return name == other.name && path == other.path && segments == other.segments && animation == other.animation &&
+           speed == other.speed && phase_s == other.phase_s && color == other.color && motion == other.motion && place == other.place;
+  }
+};
+
 enum class Semantic {
-  kView, kProjection, kViewProjection, kModel, kNormalMatrix, kCameraPosition, kTime, kFrame, kResolution
+  kView, kProjection, kViewProjection, kModel, kNormalMatrix, kCameraPosition, kTime, kFrame, kResolution,
+  // Of models; of other objects as for the unit material, no joints, no morphing, no lights.
+  kJointMatrices, kJointCount, kMorphWeights, kBaseColorFactor, kMetallicRoughness, kEmissiveFactor, kAlphaCutoff,
+  kLightPosition, kLightColor, kLightDirection, kLightCount
 };
 
 // Where a uniform member's value comes from. "block.member" names it in `UniformBinding::member`.
@@ -163,7 +194,7 @@ enum class ToneMap { kNone, kReinhard, kAces };
 struct Scenario {
   std::string path;                 // of the TOML file, absolute
   std::string name;
-  std::string fragment_path, vertex_path;  // absolute
+  std::string fragment_path, vertex_path;  // absolute; empty: the standard shaders
   std::string fragment_entry_point = "main", vertex_entry_point = "main";  // of SPIR-V and HLSL
   std::vector<std::string> include_dirs;
   std::vector<std::pair<std::string, std::string>> defines;
@@ -172,7 +203,8 @@ struct Scenario {
   float frame_time_s = 1.0f / 60;   // virtual time per frame
   std::vector<std::uint32_t> periods = {1, 2, 4, 8, 16, 32, 64};  // kNeverRefresh (0) stands for never
   std::uint32_t seed = 1;           // mixed into the seeds of all random walks
-  std::vector<Object> objects;
+  std::vector<ModelSpec> models;
+  std::vector<Object> objects;      // those of the models after the others
   std::vector<UniformBinding> uniforms;
   Place uniforms_place;             // of [uniforms]; of the file where there is none
   std::vector<TextureSpec> textures;

@@ -17,6 +17,9 @@ Result<std::string> hashScenario(const Scenario& scenario) {
     REPRISE_ASSIGN(const std::string bytes, readFile(texture.path));
     texture.path = contentHash(bytes);
   }
+  // The figure's shape is told by the scenario itself.
+  for (ModelSpec& model : bare.models)
+    if (!model.path.empty() && model.scene) model.path = model.scene->hash;
   return contentHash(writeScenario(bare, {}));
 }
 

@@ -139,9 +139,10 @@ std::string relativePath(const std::string& path, const fs::path& directory) {
 }
 
 std::string shaderText(const Scenario& scenario, const fs::path& directory) {
-  std::string text = "\n[shader]\nfragment = " + relativePath(scenario.fragment_path, directory) +
-                     "\nvertex = " + relativePath(scenario.vertex_path, directory) +
-                     "\nfragment_entry_point = " + quoted(scenario.fragment_entry_point) +
+  std::string text = "\n[shader]\n";
+  if (!scenario.fragment_path.empty()) text += "fragment = " + relativePath(scenario.fragment_path, directory) + "\n";
+  if (!scenario.vertex_path.empty()) text += "vertex = " + relativePath(scenario.vertex_path, directory) + "\n";
+  text += "fragment_entry_point = " + quoted(scenario.fragment_entry_point) +
                      "\nvertex_entry_point = " + quoted(scenario.vertex_entry_point) + "\ninclude_dirs = [";
   for (std::size_t i = 0; i < scenario.include_dirs.size(); ++i)
     text += (i > 0 ? ", " : "") + relativePath(scenario.include_dirs[i], directory);
@@ -201,6 +202,15 @@ std::string sessionText(const SessionSpec& session) {
   return text;
 }
 
+std::string modelText(const ModelSpec& model, const fs::path& directory) {
+  std::string text = "\n[[model]]\nname = " + quoted(model.name) + "\n";
+  text += model.path.empty() ? "kind = \"figure\"\nsegments = " + std::to_string(model.segments) + "\n"
+                             : "file = " + relativePath(model.path, directory) + "\n";
+  if (model.animation) text += "animation = " + quoted(*model.animation) + "\n";
+  return text + "speed = " + number(model.speed) + "\nphase_s = " + number(model.phase_s) + "\ncolor = " + numbers(model.color) +
+         "\nmotion = " + motionText(model.motion) + "\n";
+}
+
 std::string uniformText(const UniformBinding& binding) {
   const auto* semantic = std::get_if<Semantic>(&binding.source);
   return quoted(binding.member) + " = " +
@@ -213,7 +223,9 @@ std::string uniformText(const UniformBinding& binding) {
 std::string writeScenario(const Scenario& scenario, const fs::path& directory) {
   std::string text =
       "name = " + quoted(scenario.name) + "\n" + shaderText(scenario, directory) + renderText(scenario);
+  for (const ModelSpec& model : scenario.models) text += modelText(model, directory);
   for (const Object& object : scenario.objects) {
+    if (object.part) continue;
     text += "\n[[object]]\nname = " + quoted(object.name) + "\nmesh = " + meshText(object.mesh) +
             "\nmotion = " + motionText(object.motion) + "\n";
   }

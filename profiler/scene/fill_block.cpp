@@ -5,7 +5,9 @@
 #include <glm/matrix.hpp>
 #include <limits>
 
+#include "profiler/scenario/standard_names.h"
 #include "profiler/scene/frame_state.h"
+#include "profiler/scene/model_values.h"
 #include "profiler/scene/track.h"
 
 namespace reprise {
@@ -52,8 +54,9 @@ std::vector<float> semanticValues(Semantic semantic, const FrameState& state, st
       return firstOf({static_cast<float>(state.frame)}, member);
     case Semantic::kResolution:
       return firstOf({width, height, 1 / width, 1 / height}, member);
+    default:
+      return {};
   }
-  return {};
 }
 
 void storeScalar(std::vector<std::byte>& block, std::size_t offset, ScalarKind kind, float value) {
@@ -118,8 +121,16 @@ std::vector<std::byte> fillBlock(const Scenario& scenario, const SessionSpec& se
     if (const Track* track = trackOf(binding, session)) {
       storeMember(block, *member, evaluateTrack(*track, time_s, scenario.seed));
     } else {
-      storeMember(block, *member, semanticValues(std::get<Semantic>(binding.source), state, object, *member));
+      const Semantic semantic = std::get<Semantic>(binding.source);
+      storeMember(block, *member, isModelSemantic(semantic) ? modelValues(semantic, scenario, state, object)
+                                                            : semanticValues(semantic, state, object, *member));
     }
+  }
+  for (const BlockMember& member : members) {
+    const auto semantic = standardSemantic(block_name + "." + member.name);
+    if (!semantic) continue;
+    storeMember(block, member, isModelSemantic(*semantic) ? modelValues(*semantic, scenario, state, object)
+                                                          : semanticValues(*semantic, state, object, member));
   }
   return block;
 }
@@ -128,7 +139,7 @@ bool isPerObject(const Scenario& scenario, const std::string& block_name) {
   return std::any_of(scenario.uniforms.begin(), scenario.uniforms.end(), [&](const UniformBinding& binding) {
     const auto* semantic = std::get_if<Semantic>(&binding.source);
     return blockOf(binding.member) == block_name && semantic &&
-           (*semantic == Semantic::kModel || *semantic == Semantic::kNormalMatrix);
+           (*semantic == Semantic::kModel || *semantic == Semantic::kNormalMatrix || isModelSemantic(*semantic));
   });
 }
 

@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "profiler/scenario/read_models.h"
 #include "profiler/scene/track.h"
 
 namespace reprise {
@@ -105,7 +106,18 @@ FrameState evaluateFrame(const Scenario& scenario, const SessionSpec& session, i
   state.view = viewMatrix(view, session.camera);
   state.projection = projectionMatrix(
       session.camera, static_cast<float>(scenario.width) / static_cast<float>(scenario.height));
+  for (const ModelSpec& model : scenario.models) {
+    const auto override_motion = session.motions.find(model.name);
+    state.placements.push_back(modelMatrix(override_motion == session.motions.end() ? model.motion : override_motion->second, moment));
+    state.poses.push_back(poseAt(*model.scene, animationOf(model), model.phase_s + static_cast<double>(model.speed) * moment.time_s));
+  }
   for (const Object& object : scenario.objects) {
+    if (object.part) {
+      const GltfInstance& instance = scenario.models[object.part->model].scene->instances[object.part->instance];
+      const glm::mat4& placement = state.placements[object.part->model];
+      state.models.push_back(instance.skin >= 0 ? placement : placement * state.poses[object.part->model].nodes[static_cast<std::size_t>(instance.node)]);
+      continue;
+    }
     const auto override_motion = session.motions.find(object.name);
     state.models.push_back(modelMatrix(
         override_motion == session.motions.end() ? object.motion : override_motion->second, moment));

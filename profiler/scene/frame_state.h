@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "profiler/gltf/pose.h"
 #include "profiler/scenario/scenario.h"
 #include "runtime/package/interface.h"
 
@@ -28,7 +29,9 @@ struct FrameState {
   std::uint32_t width = 0, height = 0;
   glm::mat4 view{1}, projection{1};  // Vulkan clip space: y down, z in [0, 1]
   glm::vec3 camera_position{0};
-  std::vector<glm::mat4> models;     // by object
+  std::vector<glm::mat4> models;     // by object; of a skinned part without its node, as the joints hold that
+  std::vector<GltfPose> poses;       // by model
+  std::vector<glm::mat4> placements; // by model: its motion
 };
 
 // View (looking at the target, or along -up's perpendicular where eye and target coincide), projection and models of a frame.

@@ -110,6 +110,12 @@ Result<TextureImage> loadTexture(const TextureSpec& spec) {
                  "texture '" + spec.name + "': there is no file '" + spec.path + "'", spec.place};
   }
   REPRISE_ASSIGN(const std::string content, readFile(spec.path));
+  return decodeTexture(spec, content);
+}
+
+}  // namespace
+
+Result<TextureImage> decodeTexture(const TextureSpec& spec, const std::string& content) {
   const auto* bytes = reinterpret_cast<const stbi_uc*>(content.data());
   const int byte_count = static_cast<int>(std::min<std::size_t>(content.size(), 1u << 30));
   int width = 0, height = 0, channels = 0;
@@ -121,8 +127,6 @@ Result<TextureImage> loadTexture(const TextureSpec& spec) {
   }
   return decode(spec, bytes, byte_count);
 }
-
-}  // namespace
 
 Result<TextureImage> buildTexture(const TextureSpec& spec) {
   if (spec.kind == TextureKind::kFile) return loadTexture(spec);

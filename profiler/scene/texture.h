@@ -21,4 +21,7 @@ struct TextureImage {
 // Errors (kInput): texture.missing, texture.format (not a PNG, JPEG or HDR that can be decoded).
 Result<TextureImage> buildTexture(const TextureSpec& spec);
 
+// The same from the bytes of a PNG, JPEG or HDR file; spec names them in messages.
+Result<TextureImage> decodeTexture(const TextureSpec& spec, const std::string& content);
+
 }  // namespace reprise

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstring>
 
+#include "profiler/scenario/standard_names.h"
 #include "profiler/scene/mesh.h"
 #include "profiler/scene/texture.h"
+#include "profiler/session/model_textures.h"
 #include "runtime/playback/formats.h"
 #include "runtime/vulkan/upload.h"
 
@@ -19,6 +21,26 @@ Result<Buffer> bufferWith(const DeviceView& device, const void* bytes, std::size
   REPRISE_ASSIGN(Buffer buffer, createBuffer(device, std::max<std::size_t>(size, 4), usage));
   std::memcpy(buffer.mapped.data(), bytes, size);
   return buffer;
+}
+
+// The winding of mirrored parts is turned back, so that their fronts are fronts.
+Mesh meshOf(const Scenario& scenario, const Object& object) {
+  if (!object.part) return buildMesh(object.mesh);
+  const GltfScene& scene = *scenario.models[object.part->model].scene;
+  const GltfInstance& instance = scene.instances[object.part->instance];
+  Mesh mesh{primitiveOf(scene, instance).vertices, primitiveOf(scene, instance).indices};
+  for (std::size_t i = 0; instance.mirrored && i + 2 < mesh.indices.size(); i += 3) std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+  return mesh;
+}
+
+std::vector<DeformVertex> deformOf(const Scenario& scenario, const Object& object, std::size_t vertices) {
+  std::vector<DeformVertex> deform;
+  if (object.part) {
+    const GltfScene& scene = *scenario.models[object.part->model].scene;
+    deform = primitiveOf(scene, scene.instances[object.part->instance]).deform;
+  }
+  deform.resize(vertices);
+  return deform;
 }
 
 class SceneBuilder {
@@ -48,10 +70,14 @@ class SceneBuilder {
 
   Result<void> uploadMeshes() {
     for (const Object& object : scenario_.objects) {
-      const Mesh mesh = buildMesh(object.mesh);
+      const Mesh mesh = meshOf(scenario_, object);
       ObjectBuffers buffers;
       REPRISE_ASSIGN(buffers.vertices, bufferWith(device_, mesh.vertices.data(), mesh.vertices.size() * sizeof(Vertex), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT));
       REPRISE_ASSIGN(buffers.indices, bufferWith(device_, mesh.indices.data(), mesh.indices.size() * 4, VK_BUFFER_USAGE_INDEX_BUFFER_BIT));
+      if (readsDeformation(interface_)) {
+        const std::vector<DeformVertex> deform = deformOf(scenario_, object, mesh.vertices.size());
+        REPRISE_ASSIGN(buffers.deform, bufferWith(device_, deform.data(), deform.size() * sizeof(DeformVertex), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT));
+      }
       buffers.index_count = static_cast<std::uint32_t>(mesh.indices.size());
       scene_.objects.push_back(std::move(buffers));
     }
@@ -90,24 +116,34 @@ class SceneBuilder {
   Result<void> uploadTextures() {
     for (const TextureSpec& spec : scenario_.textures) {
       REPRISE_ASSIGN(const TextureImage image, buildTexture(spec));
-      UploadDescription upload;
-      upload.extent = {static_cast<std::uint32_t>(image.width), static_cast<std::uint32_t>(image.height)};
-      upload.mipmaps = spec.mipmaps;
-      if (image.high_dynamic_range) {
-        upload.format = VK_FORMAT_R32G32B32A32_SFLOAT;
-        REPRISE_ASSIGN(Image uploaded, uploadTexture(context_, commands_, upload, std::as_bytes(std::span(image.rgba))));
-        scene_.textures.push_back(std::move(uploaded));
-      } else {
-        upload.format = spec.srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM;
-        std::vector<std::uint8_t> bytes(image.rgba.size());
-        for (std::size_t i = 0; i < bytes.size(); ++i)
-          bytes[i] = static_cast<std::uint8_t>(std::lround(std::clamp(image.rgba[i], 0.0f, 1.0f) * 255));
-        REPRISE_ASSIGN(Image uploaded, uploadTexture(context_, commands_, upload, std::as_bytes(std::span(bytes))));
-        scene_.textures.push_back(std::move(uploaded));
-      }
-      REPRISE_TRY(createSampler(spec));
+      REPRISE_TRY(upload(spec, image));
+    }
+    models_ = listModelTextures(scenario_, interface_);
+    for (const ModelTexture& texture : models_.textures) {
+      Result<TextureImage> image = texture.image ? decodeTexture(texture.spec, texture.image->bytes) : buildTexture(texture.spec);
+      if (!image.ok()) return image.error();
+      REPRISE_TRY(upload(texture.spec, *image));
     }
     return {};
+  }
+
+  Result<void> upload(const TextureSpec& spec, const TextureImage& image) {
+    UploadDescription description;
+    description.extent = {static_cast<std::uint32_t>(image.width), static_cast<std::uint32_t>(image.height)};
+    description.mipmaps = spec.mipmaps;
+    if (image.high_dynamic_range) {
+      description.format = VK_FORMAT_R32G32B32A32_SFLOAT;
+      REPRISE_ASSIGN(Image uploaded, uploadTexture(context_, commands_, description, std::as_bytes(std::span(image.rgba))));
+      scene_.textures.push_back(std::move(uploaded));
+    } else {
+      description.format = spec.srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM;
+      std::vector<std::uint8_t> bytes(image.rgba.size());
+      for (std::size_t i = 0; i < bytes.size(); ++i)
+        bytes[i] = static_cast<std::uint8_t>(std::lround(std::clamp(image.rgba[i], 0.0f, 1.0f) * 255));
+      REPRISE_ASSIGN(Image uploaded, uploadTexture(context_, commands_, description, std::as_bytes(std::span(bytes))));
+      scene_.textures.push_back(std::move(uploaded));
+    }
+    return createSampler(spec);
   }
 
   Result<void> createSampler(const TextureSpec& spec) {
@@ -166,15 +202,20 @@ class SceneBuilder {
         buffer = {slots.buffer.buffer.get(), slots.stride * object, slots.stride};
         write.pBufferInfo = &buffer;
       } else {
-        const auto texture = std::find_if(scenario_.textures.begin(), scenario_.textures.end(),
-                                          [&](const TextureSpec& spec) { return spec.name == descriptor.name; });
-        REPRISE_CHECK(texture != scenario_.textures.end(), descriptor.name);
-        const auto index = static_cast<std::size_t>(texture - scenario_.textures.begin());
+        const std::size_t index = textureIndex(descriptor.name, object);
         image = {scene_.samplers[index].get(), scene_.textures[index].view.get(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
         write.pImageInfo = &image;
       }
       device_.fn.vkUpdateDescriptorSets(device_.device, 1, &write, 0, nullptr);
     }
+  }
+
+  std::size_t textureIndex(const std::string& name, std::size_t object) const {
+    const auto of_models = models_.used.find(name);
+    if (of_models != models_.used.end()) return scenario_.textures.size() + of_models->second[object];
+    const auto texture = std::find_if(scenario_.textures.begin(), scenario_.textures.end(), [&](const TextureSpec& spec) { return spec.name == name; });
+    REPRISE_CHECK(texture != scenario_.textures.end(), name);
+    return static_cast<std::size_t>(texture - scenario_.textures.begin());
   }
 
   const Context& context_;
@@ -183,9 +224,16 @@ class SceneBuilder {
   const Scenario& scenario_;
   const ShaderInterface& interface_;
   SceneObjects scene_;
+  ModelTextures models_;
 };
 
 }  // namespace
+
+bool readsDeformation(const ShaderInterface& interface) {
+  const std::vector<std::string>& names = deformInputs();
+  return std::any_of(interface.vertex_inputs.begin(), interface.vertex_inputs.end(),
+                     [&](const VertexInput& input) { return std::find(names.begin(), names.end(), input.name) != names.end(); });
+}
 
 Result<SceneObjects> createSceneObjects(const Context& context, Commands& commands, const Scenario& scenario,
                                         const ShaderInterface& interface) {

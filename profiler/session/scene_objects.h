@@ -16,6 +16,7 @@ namespace reprise {
 
 struct ObjectBuffers {
   Buffer vertices, indices;
+  Buffer deform;  // DeformVertex by vertex; none where the vertex shader does not read them
   std::uint32_t index_count = 0;
 };
 
@@ -35,6 +36,9 @@ struct SceneObjects {
   std::vector<std::vector<VkDescriptorSet>> sets;          // by object, then set
   std::vector<BlockSlots> blocks;
 };
+
+// Whether the vertex shader reads joints, weights or morph targets: then DeformVertex is its second vertex binding.
+bool readsDeformation(const ShaderInterface& interface);
 
 // Errors: texture.* (kInput), scenario.unsupported (kInput; a descriptor that the profiler cannot fill), device.*.
 Result<SceneObjects> createSceneObjects(const Context& context, Commands& commands, const Scenario& scenario,

@@ -20,18 +20,27 @@ VkFormat attributeFormat(int components) {
   return kFormats[std::min(std::max(components, 1), 4) - 1];
 }
 
-std::uint32_t attributeOffset(const std::string& name) {
-  const std::map<std::string, std::size_t> offsets = {{"position", offsetof(Vertex, position)},
-                                                      {"normal", offsetof(Vertex, normal)},
-                                                      {"tangent", offsetof(Vertex, tangent)},
-                                                      {"uv", offsetof(Vertex, uv)},
-                                                      {"color", offsetof(Vertex, color)}};
-  const auto found = offsets.find(name);
-  REPRISE_CHECK(found != offsets.end(), name);
-  return static_cast<std::uint32_t>(found->second);
-}
+// Where a vertex input lies: of which binding, how far in, and how many floats it has.
+struct Attribute {
+  std::uint32_t binding = 0;
+  std::size_t offset = 0;
+  int components = 4;
+};
 
-int attributeComponents(const std::string& name) { return name == "uv" ? 2 : name == "position" || name == "normal" ? 3 : 4; }
+Attribute attributeOf(const std::string& name) {
+  std::map<std::string, Attribute> attributes = {{"position", {0, offsetof(Vertex, position), 3}}, {"normal", {0, offsetof(Vertex, normal), 3}},
+                                                 {"tangent", {0, offsetof(Vertex, tangent), 4}},   {"uv", {0, offsetof(Vertex, uv), 2}},
+                                                 {"color", {0, offsetof(Vertex, color), 4}},       {"joints", {1, offsetof(DeformVertex, joints), 4}},
+                                                 {"weights", {1, offsetof(DeformVertex, weights), 4}}};
+  for (std::size_t target = 0; target < kMorphTargets; ++target) {
+    const std::size_t offset = target * 3 * sizeof(float);
+    attributes["morph_position_" + std::to_string(target)] = {1, offsetof(DeformVertex, morph_position) + offset, 3};
+    attributes["morph_normal_" + std::to_string(target)] = {1, offsetof(DeformVertex, morph_normal) + offset, 3};
+  }
+  const auto found = attributes.find(name);
+  REPRISE_CHECK(found != attributes.end(), name);
+  return found->second;
+}
 
 VkCompareOp compareOp(DepthCompare compare) {
   switch (compare) {
@@ -115,13 +124,16 @@ Result<RenderTargets> SceneRenderer::createTargets(Commands& commands) const {
 
 Result<Player> SceneRenderer::createPlayer(const Package& package, const PlayerOptions& options) const {
   const State& state = *state_;
-  const VkVertexInputBindingDescription binding{0, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX};
+  const VkVertexInputBindingDescription bindings[] = {{0, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX}, {1, sizeof(DeformVertex), VK_VERTEX_INPUT_RATE_VERTEX}};
   std::vector<VkVertexInputAttributeDescription> attributes;
-  for (const VertexInput& input : state.interface->vertex_inputs)
-    attributes.push_back({input.location, 0, attributeFormat(std::min(input.components, attributeComponents(input.name))), attributeOffset(input.name)});
+  for (const VertexInput& input : state.interface->vertex_inputs) {
+    const Attribute attribute = attributeOf(input.name);
+    attributes.push_back({input.location, attribute.binding, attributeFormat(std::min(input.components, attribute.components)),
+                          static_cast<std::uint32_t>(attribute.offset)});
+  }
   VkPipelineVertexInputStateCreateInfo vertex_input{VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
-  vertex_input.vertexBindingDescriptionCount = 1;
-  vertex_input.pVertexBindingDescriptions = &binding;
+  vertex_input.vertexBindingDescriptionCount = readsDeformation(*state.interface) ? 2 : 1;
+  vertex_input.pVertexBindingDescriptions = bindings;
   vertex_input.vertexAttributeDescriptionCount = static_cast<std::uint32_t>(attributes.size());
   vertex_input.pVertexAttributeDescriptions = attributes.data();
   VkPipelineInputAssemblyStateCreateInfo assembly{VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
@@ -209,6 +221,8 @@ Result<void> SceneRenderer::record(VkCommandBuffer commands, Player& player, con
       const VkBuffer vertices = buffers.vertices.buffer.get();
       const VkDeviceSize offset = 0;
       device.fn.vkCmdBindVertexBuffers(pass.commands(), 0, 1, &vertices, &offset);
+      if (const VkBuffer deform = buffers.deform.buffer.get(); deform != VK_NULL_HANDLE)
+        device.fn.vkCmdBindVertexBuffers(pass.commands(), 1, 1, &deform, &offset);
       device.fn.vkCmdBindIndexBuffer(pass.commands(), buffers.indices.buffer.get(), 0, VK_INDEX_TYPE_UINT32);
       pass.bindDraw(object + 1);
       device.fn.vkCmdDrawIndexed(pass.commands(), buffers.index_count, 1, 0, 0, 0);
