@@ -94,7 +94,7 @@ Result<std::string> modelScenario(const std::filesystem::path& model) {
   using namespace fmt::literals;
   return fmt::format(
       fmt::runtime(kScenario), "name"_a = nameFrom(model), "cull"_a = double_sided ? "none" : "back", "file"_a = escaped(std::filesystem::absolute(model).string()),
-      "center"_a = vectorText(center), "near_distance"_a = 2.6f * radius, "rise"_a = 0.6f * radius, "far_distance"_a = 3.0f * radius,
+      "center"_a = vectorText(center), "near_distance"_a = 2.1f * radius, "rise"_a = 0.6f * radius, "far_distance"_a = 2.5f * radius,
       "high"_a = 1.1f * radius, "near"_a = 0.05f * radius, "far"_a = 40 * radius, "base"_a = vectorText(center + radius * glm::vec3(0.3f, 0.6f, 3.6f)),
       "amplitude"_a = vectorText(radius * glm::vec3(0.1f, 0.2f, 1.5f)), "walk"_a = vectorText(center + radius * glm::vec3(-0.5f, 0.5f, 2.6f)),
       "extent"_a = vectorText(radius * glm::vec3(1.0f, 0.4f, 0.6f)), "step"_a = 2.5f * radius);
