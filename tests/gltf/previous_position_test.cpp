@@ -21,6 +21,7 @@ namespace reprise {
 namespace {
 
 constexpr int kFrame = 20;
+constexpr float kHalfViewport = 128;
 
 const char* kFragment = R"(#version 450
 layout(location = 0) in vec4 color;
@@ -33,7 +34,7 @@ void main() {
 }
 )";
 
-// The previous position is at the first location that is free: 2.
+// The previous position is at the first location that is free, 2, in pixels of the viewport times w (glsl/previous_position.vert).
 const char* kWitness = R"(#version 450
 layout(location = 0) flat in vec4 color;
 layout(location = 2) flat in vec3 previous;
@@ -108,7 +109,7 @@ class PreviousPosition : public testing::TestWithParam<MadeParts> {
       float texel[4];
       std::memcpy(texel, &bytes[at], 16);
       // The background's alpha is 1 as that of vertex 0 is, which begins a triangle but is told by no other mark: left out.
-      if (texel[3] > 1.5f) witnessed.push_back({{texel[0], texel[1], texel[2]}, static_cast<std::size_t>(std::lround(texel[3] - 1))});
+      if (texel[3] > 1.5f) witnessed.push_back({{texel[0] / kHalfViewport - texel[2], texel[1] / kHalfViewport - texel[2], texel[2]}, static_cast<std::size_t>(std::lround(texel[3] - 1))});
     }
     return witnessed;
   }
