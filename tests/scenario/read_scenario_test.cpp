@@ -49,7 +49,7 @@ const std::vector<Mistake> kMistakes = {
      15,
      27,
      {"'tube_radius'", "'radius'"}},
-    {"MissingKey", "vertex = \"a.vert\"\n", "", "scenario.missing_key", 1, 1, {"[shader]", "'vertex'"}},
+    {"MissingKey", "mesh = { kind = \"sphere\", radius = 1.5 }\n", "", "scenario.missing_key", 13, 1, {"[[object]]", "'mesh'"}},
     {"MissingName", "name = \"ball\"\n", "", "scenario.missing_key", 13, 1, {"'name'"}},
     {"WrongType",
      "frames = 8",
@@ -185,7 +185,7 @@ TEST(Scenario, OfNothingNamesWhatIsNeeded) {
   const ScenarioFolder folder;
   const Result<Scenario> read = folder.read("");
   ASSERT_FALSE(read.ok());
-  for (const char* word : {"'shader'", "[[object]]", "training", "validation"})
+  for (const char* word : {"[[object]]", "[[model]]", "training", "validation"})
     EXPECT_NE(read.error().message.find(word), std::string::npos) << word << " in: " << read.error().message;
 }
 

@@ -86,6 +86,7 @@ Scenario withoutPlaces(Scenario scenario) {
   scenario.path.clear();
   scenario.uniforms_place = {};
   for (UniformBinding& binding : scenario.uniforms) binding.place = {};
+  for (ModelSpec& model : scenario.models) model.place = {};
   for (TextureSpec& texture : scenario.textures) texture.place = {};
   return scenario;
 }
