@@ -22,7 +22,7 @@ inline constexpr std::size_t kMostInlinedInstructions = 40000;
 inline constexpr int kMostCallDepth = 256;  // calls are followed by recursion, by SPIRV-Tools and SPIRV-Cross, too
 // For each loop and selection the validator visits the blocks in it and, for each of these, the constructs around it.
 inline constexpr std::size_t kMostBlocks = 8192;
-inline constexpr std::size_t kMostLoops = 1024;
+inline constexpr std::size_t kMostLoops = 512;
 inline constexpr std::size_t kMostSelections = 1024;
 inline constexpr std::size_t kMostNesting = 64;  // of loops and selections in one function
 // A type's parts are itself and those of its members. The validator visits them for each use, and those of local variables,

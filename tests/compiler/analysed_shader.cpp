@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "compiler/source/standard_vertex.h"
+
 namespace reprise {
 
 CompiledShader compiled(std::string_view text, const std::string& name) {
@@ -61,9 +63,15 @@ std::vector<std::string> shippedShaders() { return shadersWithEnding({".vert", "
 std::vector<std::string> shippedFragmentShaders() { return shadersWithEnding({".frag"}); }
 
 ShaderProgram shippedProgram(const std::string& fragment_file) {
+  const CompiledShader fragment = compile(fragment_file, {}).value();
+  if (std::filesystem::path(fragment_file).parent_path().filename() == "standard") {
+    CompileOptions options;
+    options.stage = ShaderStage::kVertex;
+    return readProgram(compileText(standardVertexText(fragment.words, {}).value(), "standard.vert", options).value(), fragment).value();
+  }
   std::filesystem::path vertex_file = std::filesystem::path(fragment_file).replace_extension(".vert");
   if (!std::filesystem::exists(vertex_file)) vertex_file = std::string(REPRISE_SOURCE_DIR) + "/shaders/laws/law.vert";
-  return readProgram(compile(vertex_file, {}).value(), compile(fragment_file, {}).value()).value();
+  return readProgram(compile(vertex_file, {}).value(), fragment).value();
 }
 
 std::string stemOf(const std::string& file) { return std::filesystem::path(file).stem().string(); }
