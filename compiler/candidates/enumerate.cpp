@@ -172,7 +172,14 @@ std::vector<Candidate> partialCandidates(const Surroundings& around, std::size_t
     const int node = around.analysis.graph.node_of.at(partial.regrouping.chain.root);
     CandidateValue value = valueAt(static_cast<std::size_t>(node), around);
     const auto& kept = partial.regrouping.kept;
-    const std::string part = fmt::format("{} of the {} terms of {}", std::count(kept.begin(), kept.end(), true), kept.size(),
+    // The 0 that a sum begins with is no term to people.
+    int count = 0, all = 0;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      const bool computed = around.analysis.graph.node_of.count(partial.regrouping.chain.terms[i].value) != 0;
+      all += computed;
+      count += computed && kept[i];
+    }
+    const std::string part = fmt::format("{} of the {} terms of {}", count, all,
                                          value.name.empty() ? "a " + std::string(nameOf(partial.regrouping.chain.kind)) : value.name);
     std::string terms;
     for (std::size_t i = 0; i < kept.size() && i < kMostTermsNamed; ++i) terms += kept[i] ? '1' : '0';

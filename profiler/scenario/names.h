@@ -19,7 +19,8 @@ inline constexpr NameWithValue<MeshKind> kMeshKinds[] = {{"sphere", MeshKind::kS
                                                       {"torus_knot", MeshKind::kTorusKnot},
                                                       {"plane", MeshKind::kPlane},
                                                       {"terrain", MeshKind::kTerrain},
-                                                      {"revolution", MeshKind::kRevolution}};
+                                                      {"revolution", MeshKind::kRevolution},
+                                                      {"displaced_sphere", MeshKind::kDisplacedSphere}};
 
 inline constexpr NameWithValue<Semantic> kSemantics[] = {{"view", Semantic::kView},
                                                       {"projection", Semantic::kProjection},
@@ -46,7 +47,12 @@ inline constexpr NameWithValue<TextureKind> kTextureKinds[] = {{"file", TextureK
                                                             {"checker", TextureKind::kChecker},
                                                             {"noise", TextureKind::kNoise},
                                                             {"gradient", TextureKind::kGradient},
-                                                            {"sky", TextureKind::kSky}};
+                                                            {"sky", TextureKind::kSky},
+                                                            {"bumps", TextureKind::kBumps},
+                                                            {"discs", TextureKind::kDiscs}};
+
+inline constexpr bool hasSeed(TextureKind kind) { return kind == TextureKind::kNoise || kind == TextureKind::kBumps; }
+inline constexpr bool hasCells(TextureKind kind) { return kind == TextureKind::kChecker || hasSeed(kind); }
 
 inline constexpr NameWithValue<CullMode> kCullModes[] = {
     {"none", CullMode::kNone}, {"back", CullMode::kBack}, {"front", CullMode::kFront}};
@@ -70,6 +76,7 @@ inline constexpr int kMaxResolution = 8192;
 inline constexpr int kMaxFrames = 100000;
 inline constexpr int kMaxSegments = 2048;
 inline constexpr int kMaxTextureSize = 8192;
+inline constexpr int kMaxDiscs = 64;  // each way, of an object
 inline constexpr int kMaxTrackValues = 256;
 inline constexpr int kMaxEntries = 1024;  // objects, textures, sessions, key frames, profile points
 inline constexpr int kMaxUniforms = 4096;  // as many as members that a block may have

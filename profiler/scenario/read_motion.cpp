@@ -163,6 +163,12 @@ void readShape(TableReader& reader, MeshSpec& mesh) {
     case MeshKind::kRevolution:
       readProfile(reader, mesh.profile);
       break;
+    case MeshKind::kDisplacedSphere:
+      reader.readNumber("radius", mesh.radius, kPositive);
+      reader.readNumber("height", mesh.height, {0, 1});
+      reader.readInteger("cells", mesh.cells, {1, kMaxSegments});
+      reader.readUnsigned("seed", mesh.seed);
+      break;
   }
 }
 
@@ -180,7 +186,7 @@ MeshSpec readMesh(const TomlNode& node, const std::string& what, Diagnostics& di
   reader.readInteger("segments_u", mesh.segments_u, {closed ? 3.0 : 1.0, kMaxSegments});
   reader.readInteger("segments_v", mesh.segments_v,
                      {mesh.kind == MeshKind::kTorusKnot ? 3.0
-                      : mesh.kind == MeshKind::kSphere  ? 2.0
+                      : mesh.kind == MeshKind::kSphere || mesh.kind == MeshKind::kDisplacedSphere ? 2.0
                                                         : 1.0,
                       kMaxSegments});
   readShape(reader, mesh);

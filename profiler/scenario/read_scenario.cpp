@@ -1,5 +1,8 @@
 #include "profiler/scenario/read_scenario.h"
 
+#include <algorithm>
+
+#include "profiler/scenario/near_names.h"
 #include "profiler/scenario/read_models.h"
 #include "profiler/scenario/read_motion.h"
 #include "profiler/scenario/read_sections.h"
@@ -54,7 +57,10 @@ void expectModest(const Scenario& scenario, const Place& place, Diagnostics& dia
   std::int64_t quads = 0, texels = 0;
   for (const Object& object : scenario.objects) quads += std::int64_t{object.mesh.segments_u} * object.mesh.segments_v;
   for (const TextureSpec& texture : scenario.textures)
-    if (texture.kind != TextureKind::kFile) texels += std::int64_t{texture.size} * texture.size;
+    if (texture.kind == TextureKind::kDiscs)
+      texels += std::int64_t{2 + 2 * texture.discs_u * texture.discs_v} * static_cast<std::int64_t>(texture.objects.size());
+    else if (texture.kind != TextureKind::kFile)
+      texels += std::int64_t{texture.size} * texture.size;
   const auto expectAtMost = [&](const std::string& what, std::int64_t found, std::int64_t most) {
     if (found > most)
       diagnostics.add("value", what + std::to_string(found) + " together, expected at most " + std::to_string(most), place);
@@ -63,10 +69,22 @@ void expectModest(const Scenario& scenario, const Place& place, Diagnostics& dia
   expectAtMost("the textures have size x size = ", texels, kMaxTexels);
 }
 
+// Discs are made of the meshes that the scenario itself makes.
+void expectOwnMeshes(const Scenario& scenario, const TextureSpec& texture, const TomlNode& node, Diagnostics& diagnostics) {
+  std::vector<std::string> known;
+  for (const Object& object : scenario.objects)
+    if (!object.part) known.push_back(object.name);
+  for (const std::string& name : texture.objects)
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      diagnostics.add("value", "texture '" + texture.name + "' wants discs of the object '" + name + "'" + suggestNames(name, known), node.place);
+}
+
 void readTextures(TableReader& root, const fs::path& directory, Scenario& scenario) {
   const std::vector<const TomlNode*> nodes = root.findTables("texture");
-  for (const TomlNode* node : nodes)
+  for (const TomlNode* node : nodes) {
     scenario.textures.push_back(readTexture(*node, directory, root.diagnostics()));
+    expectOwnMeshes(scenario, scenario.textures.back(), *node, root.diagnostics());
+  }
   expectDistinct(scenario.textures, nodes, "textures", root.diagnostics());
 }
 

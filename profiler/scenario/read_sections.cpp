@@ -130,6 +130,22 @@ UniformBinding readUniform(const std::string& member, const Entry& entry, Diagno
   return binding;
 }
 
+void readDiscs(TableReader& reader, TextureSpec& texture) {
+  reader.readInteger("discs_u", texture.discs_u, {1, kMaxDiscs});
+  reader.readInteger("discs_v", texture.discs_v, {1, kMaxDiscs});
+  reader.readBoolean("object_space", texture.object_space);
+  const TomlNode* node = reader.find("objects", Need::kRequired);
+  if (!node) return;
+  const bool texts = node->kind == NodeKind::kArray && !node->elements.empty() &&
+                     std::all_of(node->elements.begin(), node->elements.end(), [](const TomlNode& one) { return one.kind == NodeKind::kText; });
+  if (!texts) {
+    reader.diagnostics().add("type", "'objects' of texture '" + texture.name + "' is " + describeNode(*node) +
+                             ", expected the names of objects, such as [\"knot\"]", node->place);
+    return;
+  }
+  for (const TomlNode& one : node->elements) texture.objects.push_back(one.text);
+}
+
 void readSessionMotions(TableReader& reader, const Scenario& scenario, SessionSpec& session) {
   const TomlNode* node = reader.find("motions");
   if (!node) return;
@@ -286,13 +302,19 @@ TextureSpec readTexture(const TomlNode& node, const fs::path& directory, Diagnos
   if (diagnostics.errors.size() != errors_before) return texture;
   if (texture.kind == TextureKind::kFile) {
     texture.path = readPath(reader, "file", directory);
+  } else if (texture.kind == TextureKind::kDiscs) {
+    texture.linear = texture.repeat = texture.mipmaps = false;
+    readDiscs(reader, texture);
   } else {
     reader.readInteger("size", texture.size, {1, kMaxTextureSize});
-    if (texture.kind == TextureKind::kChecker || texture.kind == TextureKind::kNoise)
-      reader.readInteger("cells", texture.cells, {1, kMaxTextureSize});
-    if (texture.kind == TextureKind::kNoise) reader.readUnsigned("seed", texture.seed);
-    reader.readNumbers("color_a", texture.color_a, kNotNegative);
-    reader.readNumbers("color_b", texture.color_b, kNotNegative);
+    if (hasCells(texture.kind)) reader.readInteger("cells", texture.cells, {1, kMaxTextureSize});
+    if (hasSeed(texture.kind)) reader.readUnsigned("seed", texture.seed);
+    if (texture.kind == TextureKind::kBumps) {
+      reader.readNumber("height", texture.height, kNotNegative);
+    } else {
+      reader.readNumbers("color_a", texture.color_a, kNotNegative);
+      reader.readNumbers("color_b", texture.color_b, kNotNegative);
+    }
   }
   reader.readBoolean("linear", texture.linear);
   reader.readBoolean("repeat", texture.repeat);

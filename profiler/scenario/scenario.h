@@ -80,17 +80,18 @@ struct Motion {
   bool operator==(const Motion&) const = default;
 };
 
-enum class MeshKind { kSphere, kTorusKnot, kPlane, kTerrain, kRevolution };
+enum class MeshKind { kSphere, kTorusKnot, kPlane, kTerrain, kRevolution, kDisplacedSphere };
 
 struct MeshSpec {
   MeshKind kind = MeshKind::kSphere;
   int segments_u = 64, segments_v = 32;
-  float radius = 1;                 // sphere, knot
+  float radius = 1;                 // sphere, displaced sphere, knot
   float tube_radius = 0.3f;         // knot
   int p = 2, q = 3;                 // knot
   float size = 2;                   // plane, terrain: edge length
-  float height = 0.3f;              // terrain
-  std::uint32_t seed = 1;           // terrain
+  float height = 0.3f;              // terrain; displaced sphere: most displacement, in radii
+  int cells = 8;                    // displaced sphere: lattice cells around the equator
+  std::uint32_t seed = 1;           // terrain, displaced sphere
   std::vector<std::array<float, 2>> profile;  // revolution: (radius, y) from bottom to top, a smooth curve through them
   bool operator==(const MeshSpec&) const = default;
 };
@@ -143,7 +144,7 @@ struct UniformBinding {
   bool operator==(const UniformBinding&) const = default;
 };
 
-enum class TextureKind { kFile, kChecker, kNoise, kGradient, kSky };
+enum class TextureKind { kFile, kChecker, kNoise, kGradient, kSky, kBumps, kDiscs };
 
 struct TextureSpec {
   std::string name;     // the descriptor's name in the shader
@@ -153,6 +154,10 @@ struct TextureSpec {
   int cells = 8;
   std::uint32_t seed = 1;
   std::array<float, 4> color_a = {1, 1, 1, 1}, color_b = {0, 0, 0, 1};
+  float height = 0.1f;  // bumps: of the highest, in cells
+  std::vector<std::string> objects;       // discs: whose surfaces they stand for, a row each
+  int discs_u = 4, discs_v = 4;           // discs: around and along each object's surface
+  bool object_space = false;              // discs: as the mesh lies; else as the object lies at time 0
   bool linear = true;   // filter
   bool repeat = true;
   bool mipmaps = true;

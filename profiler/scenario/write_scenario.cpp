@@ -111,6 +111,10 @@ std::string meshText(const MeshSpec& mesh) {
         text += (i > 0 ? ", " : "") + numbers(mesh.profile[i]);
       text += "]";
       break;
+    case MeshKind::kDisplacedSphere:
+      text += ", radius = " + number(mesh.radius) + ", height = " + number(mesh.height) +
+              ", cells = " + std::to_string(mesh.cells) + ", seed = " + std::to_string(mesh.seed);
+      break;
   }
   return text + " }";
 }
@@ -172,20 +176,29 @@ std::string renderText(const Scenario& scenario) {
          "\nexposure = " + number(scenario.exposure) + "\n";
 }
 
+std::string samplerText(const TextureSpec& texture) {
+  return "linear = " + truth(texture.linear) + "\nrepeat = " + truth(texture.repeat) +
+         "\nmipmaps = " + truth(texture.mipmaps) + "\nsrgb = " + truth(texture.srgb) + "\n";
+}
+
 std::string textureText(const TextureSpec& texture, const fs::path& directory) {
   std::string text = "\n[[texture]]\nname = " + quoted(texture.name) + "\n";
   if (texture.kind == TextureKind::kFile) {
     text += "file = " + relativePath(texture.path, directory) + "\n";
+  } else if (texture.kind == TextureKind::kDiscs) {
+    text += "kind = \"discs\"\nobjects = [";
+    for (std::size_t i = 0; i < texture.objects.size(); ++i) text += (i > 0 ? ", " : "") + quoted(texture.objects[i]);
+    text += "]\ndiscs_u = " + std::to_string(texture.discs_u) + "\ndiscs_v = " + std::to_string(texture.discs_v) +
+            "\nobject_space = " + truth(texture.object_space) + "\n";
   } else {
     text += "kind = " + quoted(spellingOf(kTextureKinds, texture.kind)) +
             "\nsize = " + std::to_string(texture.size) + "\n";
-    if (texture.kind == TextureKind::kChecker || texture.kind == TextureKind::kNoise)
-      text += "cells = " + std::to_string(texture.cells) + "\n";
-    if (texture.kind == TextureKind::kNoise) text += "seed = " + std::to_string(texture.seed) + "\n";
+    if (hasCells(texture.kind)) text += "cells = " + std::to_string(texture.cells) + "\n";
+    if (hasSeed(texture.kind)) text += "seed = " + std::to_string(texture.seed) + "\n";
+    if (texture.kind == TextureKind::kBumps) return text + "height = " + number(texture.height) + "\n" + samplerText(texture);
     text += "color_a = " + numbers(texture.color_a) + "\ncolor_b = " + numbers(texture.color_b) + "\n";
   }
-  return text + "linear = " + truth(texture.linear) + "\nrepeat = " + truth(texture.repeat) +
-         "\nmipmaps = " + truth(texture.mipmaps) + "\nsrgb = " + truth(texture.srgb) + "\n";
+  return text + samplerText(texture);
 }
 
 std::string sessionText(const SessionSpec& session) {

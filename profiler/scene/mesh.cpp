@@ -208,6 +208,33 @@ Mesh buildRevolution(const MeshSpec& spec) {
   });
 }
 
+// Along the radius by value noise over longitude and latitude, fading to none at the poles, where all longitudes meet.
+double displacedRadius(const MeshSpec& spec, double column, double row) {
+  const double u = column / spec.segments_u, v = row / spec.segments_v;
+  const double ring = std::sin(std::numbers::pi * v);
+  const double cells = spec.cells;
+  return spec.radius * (1 + spec.height * ring * (2 * fractalNoise(u * cells, v * cells / 2, spec.seed, spec.cells) - 1));
+}
+
+Mesh buildDisplacedSphere(const MeshSpec& spec) {
+  const auto point = [&](double column, double row) {
+    const double longitude = kTurn_rad * column / spec.segments_u, latitude = std::numbers::pi * (row / spec.segments_v - 0.5);
+    const glm::dvec3 direction(std::sin(longitude) * std::cos(latitude), std::sin(latitude), std::cos(longitude) * std::cos(latitude));
+    return direction * displacedRadius(spec, column, row);
+  };
+  constexpr double kStep = 1e-3;  // of a segment
+  return buildGrid(spec.segments_u, spec.segments_v, [&](int column, int row) {
+    const int own = column % spec.segments_u;
+    if (row == 0 || row == spec.segments_v) {
+      const double height = row == 0 ? -1 : 1;
+      return SurfacePoint{{0, height * spec.radius, 0}, {0, height, 0}, aroundTangent(column, spec.segments_u)};
+    }
+    const glm::dvec3 along_u = point(own + kStep, row) - point(own - kStep, row);
+    const glm::dvec3 along_v = point(own, row + kStep) - point(own, row - kStep);
+    return SurfacePoint{point(own, row), glm::cross(along_u, along_v), along_u};
+  });
+}
+
 }  // namespace
 
 Mesh buildMesh(const MeshSpec& spec) {
@@ -222,6 +249,8 @@ Mesh buildMesh(const MeshSpec& spec) {
       return buildTerrain(spec);
     case MeshKind::kRevolution:
       return buildRevolution(spec);
+    case MeshKind::kDisplacedSphere:
+      return buildDisplacedSphere(spec);
   }
   return {};
 }

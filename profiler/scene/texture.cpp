@@ -53,6 +53,18 @@ Color skyTexel(const TextureSpec& spec, int x, int y) {
   return color;
 }
 
+// A tangent-space normal map, (n + 1) / 2, of the heights of the noise. Slopes are central differences over a texel.
+Color bumpsTexel(const TextureSpec& spec, int x, int y) {
+  const double scale = static_cast<double>(spec.cells) / spec.size;
+  const auto height = [&](double column, double row) {
+    return spec.height * fractalNoise((column + 0.5) * scale, (row + 0.5) * scale, spec.seed, spec.cells);
+  };
+  const double slope_x = (height(x + 0.5, y) - height(x - 0.5, y)) / scale, slope_y = (height(x, y + 0.5) - height(x, y - 0.5)) / scale;
+  const double length = std::sqrt(slope_x * slope_x + slope_y * slope_y + 1);
+  return {static_cast<float>(0.5 - 0.5 * slope_x / length), static_cast<float>(0.5 - 0.5 * slope_y / length),
+          static_cast<float>(0.5 + 0.5 / length), 1};
+}
+
 Color generatedTexel(const TextureSpec& spec, int x, int y) {
   switch (spec.kind) {
     case TextureKind::kChecker:
@@ -61,6 +73,8 @@ Color generatedTexel(const TextureSpec& spec, int x, int y) {
       return noiseTexel(spec, x, y);
     case TextureKind::kGradient:
       return gradientTexel(spec, y);
+    case TextureKind::kBumps:
+      return bumpsTexel(spec, x, y);
     default:
       return skyTexel(spec, x, y);
   }

@@ -6,6 +6,7 @@
 
 #include "profiler/scenario/standard_names.h"
 #include "profiler/scene/mesh.h"
+#include "profiler/scene/disc_texture.h"
 #include "profiler/scene/texture.h"
 #include "profiler/session/model_textures.h"
 #include "runtime/playback/formats.h"
@@ -115,7 +116,7 @@ class SceneBuilder {
 
   Result<void> uploadTextures() {
     for (const TextureSpec& spec : scenario_.textures) {
-      REPRISE_ASSIGN(const TextureImage image, buildTexture(spec));
+      REPRISE_ASSIGN(const TextureImage image, spec.kind == TextureKind::kDiscs ? buildDiscTexture(scenario_, spec) : buildTexture(spec));
       REPRISE_TRY(upload(spec, image));
     }
     models_ = listModelTextures(scenario_, interface_);

@@ -55,6 +55,7 @@ const std::vector<MeshCase> kMeshes = {
     {"ClosedRevolution", vase({{0, 0}, {0.6f, 0.1f}, {0.5f, 1}, {0.2f, 1.5f}, {0, 1.6f}}), true},
     {"OpenRevolution", vase({{0.3f, 0}, {0.6f, 0.5f}, {0.4f, 1}}), false},
     {"Plane", ofKind(MeshKind::kPlane, 5, 7), false},
+    {"DisplacedSphere", ofKind(MeshKind::kDisplacedSphere, 48, 24), true},
     {"Terrain", ofKind(MeshKind::kTerrain, 40, 30), false},
 };
 

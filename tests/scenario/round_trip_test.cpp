@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "profiler/scenario/names.h"
 #include "profiler/scenario/read_scenario.h"
 #include "runtime/base/file.h"
 #include "tests/scenario/scenario_file.h"
@@ -108,10 +109,10 @@ Motion anyMotion() {
 // Only the fields that the kind has: the others are not written.
 MeshSpec anyMesh() {
   MeshSpec mesh;
-  mesh.kind = static_cast<MeshKind>(*rc::gen::inRange(0, 5));
+  mesh.kind = static_cast<MeshKind>(*rc::gen::inRange(0, 6));
   mesh.segments_u = *rc::gen::inRange(3, 2049);
   mesh.segments_v = *rc::gen::inRange(3, 2049);
-  if (mesh.kind == MeshKind::kSphere || mesh.kind == MeshKind::kTorusKnot) mesh.radius = anyFloat(0.01f, 10);
+  if (mesh.kind == MeshKind::kSphere || mesh.kind == MeshKind::kTorusKnot || mesh.kind == MeshKind::kDisplacedSphere) mesh.radius = anyFloat(0.01f, 10);
   if (mesh.kind == MeshKind::kTorusKnot) {
     mesh.tube_radius = anyFloat(0.01f, 1);
     mesh.p = *rc::gen::inRange(1, 8);
@@ -120,6 +121,11 @@ MeshSpec anyMesh() {
   if (mesh.kind == MeshKind::kPlane || mesh.kind == MeshKind::kTerrain) mesh.size = anyFloat(0.1f, 100);
   if (mesh.kind == MeshKind::kTerrain) {
     mesh.height = anyFloat(0, 3);
+    mesh.seed = *rc::gen::arbitrary<std::uint32_t>();
+  }
+  if (mesh.kind == MeshKind::kDisplacedSphere) {
+    mesh.height = anyFloat(0, 1);
+    mesh.cells = *rc::gen::inRange(1, 40);
     mesh.seed = *rc::gen::arbitrary<std::uint32_t>();
   }
   if (mesh.kind == MeshKind::kRevolution)
@@ -154,16 +160,21 @@ std::string anyText() {
 TextureSpec anyTexture(const std::string& name, const std::string& file) {
   TextureSpec texture;
   texture.name = name;
-  texture.kind = static_cast<TextureKind>(*rc::gen::inRange(0, 5));
+  texture.kind = static_cast<TextureKind>(*rc::gen::inRange(0, 7));
   if (texture.kind == TextureKind::kFile) {
     texture.path = file;
+  } else if (texture.kind == TextureKind::kDiscs) {
+    texture.objects = {"object.0"};
+    texture.discs_u = *rc::gen::inRange(1, 9);
+    texture.discs_v = *rc::gen::inRange(1, 9);
+    texture.object_space = *rc::gen::arbitrary<bool>();
   } else {
     texture.size = *rc::gen::inRange(1, 4096);
-    for (float& value : texture.color_a) value = anyFloat(0, 20);
+    if (texture.kind == TextureKind::kBumps) texture.height = anyFloat(0, 2);
+    else for (float& value : texture.color_a) value = anyFloat(0, 20);
   }
-  if (texture.kind == TextureKind::kChecker || texture.kind == TextureKind::kNoise)
-    texture.cells = *rc::gen::inRange(1, 99);
-  if (texture.kind == TextureKind::kNoise) texture.seed = *rc::gen::arbitrary<std::uint32_t>();
+  if (hasCells(texture.kind)) texture.cells = *rc::gen::inRange(1, 99);
+  if (hasSeed(texture.kind)) texture.seed = *rc::gen::arbitrary<std::uint32_t>();
   texture.linear = *rc::gen::arbitrary<bool>();
   texture.repeat = *rc::gen::arbitrary<bool>();
   texture.mipmaps = *rc::gen::arbitrary<bool>();

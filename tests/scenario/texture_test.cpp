@@ -88,6 +88,25 @@ const unsigned char kFourTexels[] = {
     0xff, 0xff, 0xff, 0xff, 0xff, 0x80, 0x49, 0x49, 0x09, 0x78, 0x4b, 0xd9, 0xce, 0x03, 0x00,
     0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
 
+TEST(Texture, BumpsAreUnitNormalsThatRepeatWithoutASeam) {
+  TextureSpec spec = generated(TextureKind::kBumps);
+  spec.height = 0.5f;
+  const Result<TextureImage> image = buildTexture(spec);
+  ASSERT_TRUE(image.ok());
+  double tilt = 0;
+  for (int y = 0; y < spec.size; ++y)
+    for (int x = 0; x < spec.size; ++x) {
+      const auto texel = texelOf(*image, x, y);
+      const double nx = 2 * texel[0] - 1, ny = 2 * texel[1] - 1, nz = 2 * texel[2] - 1;
+      ASSERT_NEAR(nx * nx + ny * ny + nz * nz, 1, 1e-5);
+      ASSERT_GT(nz, 0);
+      tilt = std::max(tilt, std::hypot(nx, ny));
+    }
+  EXPECT_GT(tilt, 0.1);
+  for (int y = 0; y < spec.size; ++y)
+    EXPECT_LT(std::abs(texelOf(*image, 0, y)[0] - texelOf(*image, spec.size - 1, y)[0]), 0.35f) << y;
+}
+
 TEST(Texture, ReadsPngFromTheTop) {
   const ScenarioFolder folder;
   folder.write("four.png", std::string(reinterpret_cast<const char*>(kFourTexels), sizeof kFourTexels));
