@@ -18,7 +18,7 @@ layout(set = 0, binding = 2) uniform sampler2D standing_discs;  // a man a row, 
 layout(set = 0, binding = 3) uniform sampler2D king_discs;      // one row, as the king's mesh lies
 
 const float kPi = 3.14159265;
-const float kFar = 5.0;  // in radii: from there on a man is one disc
+const float kFar = 3.0;  // in radii: from there on a man is one disc
 
 // How much of the hemisphere over the receiver the disc hides. A disc without a normal faces everybody.
 float occlusionBy(vec3 center, float area, vec3 disc_normal, vec3 normal) {
@@ -50,9 +50,11 @@ void main() {
   int men = textureSize(standing_discs, 0).y;
   for (int row = 0; row < men; ++row) standing_occlusion += occlusionByRow(standing_discs, row, vec3(0.0), normal);
   float king_occlusion = occlusionByRow(king_discs, 0, scene.king_position.xyz, normal);
-  float open = exp(-(standing_occlusion + king_occlusion));
+  float open = exp(-1.8 * (standing_occlusion + king_occlusion));
 
   vec3 albedo = texture(wood_map, uv).rgb;
+  ivec2 square = ivec2(floor(world_position.xz));
+  if (world_position.y < 0.005 && ((square.x + square.y) & 1) != 0) albedo *= 0.4;
   vec3 to_light = normalize(scene.light_direction.xyz);
   vec3 halfway = normalize(to_light + normalize(scene.camera_position.xyz - world_position));
   float diffuse = max(dot(normal, to_light), 0.0);

@@ -1,0 +1,16 @@
+// What both stages read from the application.
+#ifndef DRAGON_SCENE_GLSL
+#define DRAGON_SCENE_GLSL
+
+layout(set = 0, binding = 0) uniform Scene {
+  mat4 view_projection;
+  vec4 camera_position;
+  vec4 light_position;
+} scene;
+
+layout(push_constant) uniform Object {
+  mat4 model;
+  mat3 normal_matrix;
+} object;
+
+#endif
