@@ -14,6 +14,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "bench/probe_ranges.h"
 #include "cli/fit.h"
 #include "cli/subject.h"
 #include "cli/train.h"
@@ -89,30 +90,6 @@ std::size_t surfacePayload(const Subject& subject) {
   return 0;
 }
 
-Result<ValueRanges> probeRanges(const Bench& bench, const Subject& subject, const Workspace& workspace, std::size_t candidate) {
-  VariantOptions options = baseOptions(subject, {});
-  options.strategy = "branch";
-  options.encoding = Encoding::kRgba32f;
-  REPRISE_ASSIGN(const StoredVariant stored, storeVariant(workspace, subject.program, subject.candidates[candidate], options, subject.limits));
-  Job job;
-  job.kind = JobKind::kProbe;
-  job.scenario_path = workspace.scenarioFile().string();
-  job.session = kSession;
-  job.original_dir = stored.dir;
-  job.entries = {{stored.dir, 1}};
-  job.frames = 8;
-  job.width = 160;
-  job.height = 90;
-  REPRISE_ASSIGN(const JobResult result, runHere(bench, job));
-  const ProbeResult& probe = result.probes[0];
-  ValueRanges ranges;
-  ranges.depth_near = probe.depth_min * 0.5f;
-  ranges.depth_far = probe.depth_max * 1.5f;
-  ranges.payload_min = probe.payload_min;
-  ranges.payload_max = probe.payload_max;
-  return ranges;
-}
-
 Result<std::vector<Timed>> variantsOf(const Subject& subject, const Workspace& workspace, std::size_t candidate, const ValueRanges& ranges, bool stencil) {
   std::vector<Timed> timed;
   const auto add = [&](const std::string& strategy, const VariantOptions& base) -> Result<void> {
@@ -175,7 +152,7 @@ Result<double> errorOf(const Bench& bench, const Subject& subject, const Workspa
 Result<std::vector<Row>> measure(const Bench& bench, int octaves, const std::uint32_t (&size)[2], bool stencil, const Workspace& workspace) {
   REPRISE_ASSIGN(const Subject subject, marbleWith(octaves, size, stencil, workspace));
   const std::size_t candidate = surfacePayload(subject);
-  REPRISE_ASSIGN(const ValueRanges ranges, probeRanges(bench, subject, workspace, candidate));
+  REPRISE_ASSIGN(const ValueRanges ranges, probeRanges(subject, workspace, candidate, {kSession, bench.device, bench.worker_path}));
   REPRISE_ASSIGN(std::vector<Timed> timed, variantsOf(subject, workspace, candidate, ranges, stencil));
   REPRISE_TRY(timeAll(bench, workspace, timed));
   const std::size_t reference = medianOf(timed[1].clock_ms) < medianOf(timed[0].clock_ms) ? 1 : 0;
