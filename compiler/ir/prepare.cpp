@@ -116,6 +116,8 @@ void foldCopies(PreparedShader& shader, const LineNames& on_lines, const std::un
     const auto found = on_lines.find({copy.line.file, copy.line.line});
     return found != on_lines.end() && found->second.size() == 1 ? *found->second.begin() : "";
   };
+  std::unordered_set<std::uint32_t> globals;
+  for (const Instruction& global : shader.module.globals) globals.insert(global.result_id);
   std::unordered_map<std::uint32_t, std::uint32_t> source;
   const auto resolve = [&](std::uint32_t id) {
     for (auto found = source.find(id); found != source.end(); found = source.find(id)) id = found->second;
@@ -128,8 +130,9 @@ void foldCopies(PreparedShader& shader, const LineNames& on_lines, const std::un
     std::vector<Instruction> kept;
     for (Instruction& instruction : block.instructions) {
       if (folds(instruction)) {
-        if (const std::string name = nameOfCopy(instruction); !name.empty())
-          shader.named[resolve(instruction.result_id)] = {name, instruction.line};
+        // A constant is the start of many variables and bears the name of none.
+        const std::string name = globals.count(resolve(instruction.result_id)) == 0 ? nameOfCopy(instruction) : "";
+        if (!name.empty()) shader.named[resolve(instruction.result_id)] = {name, instruction.line};
         continue;
       }
       for (Operand& operand : instruction.operands)

@@ -122,7 +122,7 @@ class ShippedFragmentShader : public testing::TestWithParam<std::string> {
 
 TEST_P(ShippedFragmentShader, EveryDroppedValueHasAReasonAndIdsAreUnique) {
   const std::set<std::string> reasons = {"type.unsupported", "place.loop",       "value.uniform",    "value.rearranged", "value.coverage", "tail.derivative",
-                                         "pruned.cheap",     "pruned.duplicate", "pruned.dominated", "pruned.channels", "pruned.rank"};
+                                         "pruned.cheap",     "pruned.duplicate", "pruned.dominated", "pruned.channels", "pruned.rank", "pruned.many"};
   std::set<std::string> ids;
   int kept = 0;
   for (const Candidate& candidate : candidates()) {

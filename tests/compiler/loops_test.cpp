@@ -1,6 +1,8 @@
 // Loops: written out where they are short, and what they leave behind as a value.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "compiler/ir/fold_constants.h"
 #include "compiler/ir/globals.h"
 #include "compiler/source/validate.h"
@@ -23,6 +25,27 @@ TEST(Unroll, AShortLoopBecomesItsIterations) {
   EXPECT_EQ(countOf(entryOf(*shader), spv::Op::OpLoopMerge), 0);
   EXPECT_EQ(countOfExtended(entryOf(*shader), kSin), 5);
   EXPECT_TRUE(validateModule(writeModule(shader->shader.module)).ok());
+}
+
+TEST(LoopResult, HasItsNameWhereOtherVariablesBeginWithTheSameConstant) {
+  const auto shader = analysedWhole(R"(#version 450
+layout(location = 0) in vec3 p;
+layout(location = 0) out vec4 color;
+layout(set = 0, binding = 0) uniform Scene { int turns; float shift; };
+float wave(float x) {
+  float sum = 0.0;
+  for (int i = 0; i < turns; ++i) sum += sin(x * float(i));
+  return sum;
+}
+void main() {
+  float standing = 0.0;
+  for (int i = 0; i < turns; ++i) standing += wave(p.x + float(i));
+  float moving = wave(p.y + shift);
+  color = vec4(exp(standing + moving) * p.z);
+}
+)");
+  const auto isStanding = [](const Candidate& candidate) { return candidate.name == "standing" && candidate.kept(); };
+  EXPECT_TRUE(std::any_of(shader->candidates.begin(), shader->candidates.end(), isStanding));
 }
 
 TEST(Unroll, IterationsKeepTheNamesOfTheirValues) {
