@@ -1,4 +1,6 @@
 // The command line: words to arguments, errors to messages and exit statuses. What is done lies in commands/ and pipeline.cpp.
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdio>
 
@@ -7,15 +9,19 @@
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <vulkan/vulkan_core.h>
 
 #include "cli/check/run_modules.h"
+#include "cli/choice.h"
 #include "cli/commands/analyze.h"
 #include "cli/commands/check.h"
 #include "cli/commands/devices.h"
+#include "cli/commands/emit.h"
 #include "cli/commands/play.h"
 #include "cli/pipeline.h"
 #include "cli/report/text.h"
 #include "cli/version.h"
+#include "compiler/source/versions.h"
 #include "profiler/session/job.h"
 
 namespace reprise {
@@ -61,6 +67,10 @@ struct Words {
   std::vector<std::string> defines, includes;
   bool write_dependencies = false;
   PlayArguments play;
+  EmitArguments emit;
+  CommittedArguments committed;
+  std::string validate_output;
+  std::string on_stale = "fail";
   std::string period;
   std::string directory;
   bool json = false;
@@ -105,10 +115,41 @@ int runOptimize(Words& words, const std::string& command) {
   return 0;
 }
 
-int runValidate(Words& words) {
+// The scenario of a committed choice: the one named, that of an output directory, or the one beside the choice.
+Result<std::string> scenarioOfChoice(const Words& words) {
+  namespace fs = std::filesystem;
+  if (!words.directory.empty())
+    return fs::is_directory(words.directory) ? (fs::path(words.directory) / "scenario" / "scenario.toml").string() : words.directory;
+  REPRISE_ASSIGN(const Choice choice, readChoice(words.committed.choice));
+  return (fs::path(words.committed.choice).parent_path() / choice.scenario_file).string();
+}
+
+int runValidateChoice(Words& words) {
+  namespace fs = std::filesystem;
+  const Result<std::string> scenario = scenarioOfChoice(words);
+  if (!scenario.ok()) return report(scenario.error(), words.errorsAsJson());
+  words.committed.scenario = *scenario;
+  std::error_code status;
+  const bool own_folder = words.validate_output.empty();
+  words.optimize.output =
+      own_folder ? (fs::temp_directory_path(status) / ("reprise-validate-" + std::to_string(::getpid()))).string() : words.validate_output;
+  Progress progress(progressStyle(words.quiet));
+  const Result<CommittedCheck> check = validateCommitted(words.committed, words.optimize, progress);
+  if (own_folder) fs::remove_all(words.optimize.output, status);
+  if (!check.ok()) return report(check.error(), words.errorsAsJson());
+  if (!check->note.empty()) std::cerr << "note: " << check->note << '\n';
+  std::cout << check->sentence << '\n';
+  return 0;
+}
+
+int runValidate(Words& words, const std::string& command) {
+  words.optimize.command = command;
   words.optimize.device = words.device;
   words.optimize.worker_path = executablePath();
   words.optimize.interrupted = [] { return interrupt_seen.load(); };
+  if (!words.committed.choice.empty()) return runValidateChoice(words);
+  if (words.directory.empty())
+    return report({ErrorKind::kUsage, "validate.directory", "name the output directory of a run, or a choice with --choice", {}}, words.errorsAsJson());
   Progress progress(progressStyle(words.quiet));
   const Result<RunResult> result = validateAgain(words.directory, words.optimize, progress);
   if (!result.ok()) return report(result.error(), words.errorsAsJson());
@@ -140,6 +181,14 @@ int runPlay(Words& words) {
     words.play.period_frames = static_cast<std::uint32_t>(period);
   }
   const Result<void> result = playPackage(words.play, std::cout);
+  return result.ok() ? 0 : report(result.error(), words.errorsAsJson());
+}
+
+int runEmit(Words& words) {
+  words.emit.on_stale = words.on_stale == "original" ? OnStale::kOriginal : OnStale::kFail;
+  if (words.write_dependencies && words.emit.depfile.empty())
+    words.emit.depfile = (words.emit.output.empty() ? words.emit.header : words.emit.output) + ".d";
+  const Result<void> result = emitChoice(words.emit, std::cout, std::cerr);
   return result.ok() ? 0 : report(result.error(), words.errorsAsJson());
 }
 
@@ -206,21 +255,44 @@ void addPlay(CLI::App& app, Words& words) {
   command->add_flag("--hashes", words.play.hashes, "print a hash of every frame");
 }
 
+void addEmit(CLI::App& app, Words& words) {
+  CLI::App* command = app.add_subcommand("emit", "make the package of a choice from the sources again, without a device or training");
+  command->add_option("scenario", words.emit.scenario, "TOML file (docs/scenario.md)")->required();
+  command->add_option("--choice", words.emit.choice, "choice.json of an optimize run")->required();
+  command->add_option("-o,--output", words.emit.output, "directory of the package");
+  command->add_option("--header", words.emit.header, "the package as a C++ header");
+  command->add_option("--name", words.emit.header_name, "of the package in the header")->capture_default_str();
+  command->add_option("--on-stale", words.on_stale, "fail or original: what to do where the payload has changed")
+      ->check(CLI::IsMember({"fail", "original"}))->capture_default_str();
+  command->add_flag("--M", words.emit.list_dependencies, "print what the package depends on as a make rule, and make nothing");
+  command->add_flag("--MD", words.write_dependencies, "write that rule beside the output");
+  command->add_option("--MF", words.emit.depfile, "file for --MD");
+  command->add_option("--MT", words.emit.depfile_target, "target of the rule; else the output");
+}
+
 // glslc's spelling: -std=450, -MD, -MF FILE. CLI11 wants two dashes before longer words.
 std::vector<std::string> spelledForParser(int argc, char** argv) {
   std::vector<std::string> words;
   for (int i = argc - 1; i > 0; --i) {
     const std::string word = argv[i];
-    const bool glslc = word.rfind("-std=", 0) == 0 || word == "-MD" || word == "-MF";
+    const bool glslc = word.rfind("-std=", 0) == 0 || word == "-M" || word == "-MD" || word == "-MF" || word == "-MT";
     words.push_back(glslc ? "-" + word : word);
   }
   return words;
 }
 
+std::string versionText() {
+  const auto vulkan = VK_HEADER_VERSION_COMPLETE;
+  return std::string("reprise ") + kToolVersion + "\nglslang " + glslangVersion() + "\nSPIRV-Tools " + spirvToolsVersion() + "\nVulkan headers " +
+         std::to_string(VK_API_VERSION_MAJOR(vulkan)) + "." + std::to_string(VK_API_VERSION_MINOR(vulkan)) + "." +
+         std::to_string(VK_API_VERSION_PATCH(vulkan)) + "\npackage format " + std::to_string(kRecipeFormatVersion) + ", choice format " +
+         std::to_string(kChoiceFormatVersion);
+}
+
 int run(int argc, char** argv) {
   Words words;
   CLI::App app("Reprise: caches the expensive part of a fragment shader from frame to frame, with measured error and gain");
-  app.set_version_flag("--version", std::string("reprise ") + kToolVersion);
+  app.set_version_flag("--version", versionText);
   app.require_subcommand(1);
   app.fallthrough();
   app.add_flag("--quiet,-q", words.quiet, "no progress");
@@ -230,8 +302,13 @@ int run(int argc, char** argv) {
   addAnalyze(app, words);
   addCheck(app, words);
   addPlay(app, words);
+  addEmit(app, words);
   CLI::App* validate = app.add_subcommand("validate", "measure the choice of an output directory again, on this device");
-  validate->add_option("directory", words.directory)->required();
+  validate->add_option("directory", words.directory, "output of optimize; with --choice the scenario, that beside the choice if none is named");
+  validate->add_option("--choice", words.committed.choice, "choice.json: measure it on the sources as they are now");
+  validate->add_option("--cost-tolerance", words.committed.cost_tolerance, "how much more than recorded it may cost, as a share")
+      ->check(CLI::NonNegativeNumber)->capture_default_str();
+  validate->add_option("-o,--output", words.validate_output, "directory for what is measured of --choice; else a temporary one");
   CLI::App* report_command = app.add_subcommand("report", "write the report of an output directory again");
   report_command->add_option("directory", words.directory)->required();
   CLI::App* devices = app.add_subcommand("devices", "list the Vulkan devices");
@@ -251,9 +328,10 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("check-worker")) return runCheckWorker();
   if (app.got_subcommand("check")) return runCheck(words);
   if (app.got_subcommand("optimize")) return runOptimize(words, command);
+  if (app.got_subcommand("emit")) return runEmit(words);
   if (app.got_subcommand("analyze")) return runAnalyze(words);
   if (app.got_subcommand("play")) return runPlay(words);
-  if (app.got_subcommand(validate)) return runValidate(words);
+  if (app.got_subcommand(validate)) return runValidate(words, command);
   if (app.got_subcommand(report_command)) {
     const Result<void> result = reportAgain(words.directory);
     return result.ok() ? 0 : report(result.error(), words.errorsAsJson());

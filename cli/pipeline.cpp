@@ -8,8 +8,10 @@
 #include <fstream>
 
 #include "cli/describe_run.h"
+#include "cli/device_lock.h"
 #include "cli/fit.h"
 #include "cli/model_scenario.h"
+#include "cli/package_of_choice.h"
 #include "cli/report/write_report.h"
 #include "cli/subject.h"
 #include "cli/train.h"
@@ -97,6 +99,12 @@ RunResult describeSubject(const Subject& subject, const OptimizeArguments& argum
   return result;
 }
 
+Result<DeviceLock> lockDevice(const DeviceSummary& device, const OptimizeArguments& arguments, Progress& progress) {
+  return DeviceLock::take(device.name, arguments.command.empty() ? "reprise" : arguments.command,
+                          {[&](const std::string& holder) { progress.say("waiting for " + device.name + ", which another run measures on (" + holder + ")"); },
+                           arguments.interrupted});
+}
+
 struct Bench {
   Store store;
   Measuring measuring;
@@ -167,24 +175,16 @@ Result<Validated> validateInOrder(const Subject& subject, const Workspace& works
   return validated;
 }
 
-// The package of the accepted attempt, or of the original alone.
-Result<Package> packageOfChoice(const Subject& subject, const Training& training, const FittedTraining& fitted, const Validated& validated) {
-  VariantOptions options = baseOptions(subject, {});
-  options.strategy = "original";
-  std::size_t candidate = 0;
-  if (validated.accepted) {
-    const ValidationAttempt& attempt = validated.chosen();
-    const ErrorStudy& study = training.errors[training.costs[fitted.cost_study[attempt.configuration]].error_study];
-    candidate = study.candidate;
-    options = study.options;
-    options.instrumented = false;
-    options.strategy = fitted.input.configurations[attempt.configuration].strategy;
-    options.period_frames = attempt.point.period_frames;
-  }
-  REPRISE_ASSIGN(Package package, buildPackage(subject.program, subject.candidates.empty() ? Candidate{} : subject.candidates[candidate],
-                                               options, subject.limits));
-  package.tool_version = kToolVersion;
-  return package;
+// What the accepted attempt played; none where the original is the answer.
+std::optional<ChosenVariant> chosenVariant(const Subject& subject, const Training& training, const FittedTraining& fitted, const Validated& validated) {
+  if (!validated.accepted) return std::nullopt;
+  const ValidationAttempt& attempt = validated.chosen();
+  const ErrorStudy& study = training.errors[training.costs[fitted.cost_study[attempt.configuration]].error_study];
+  ChosenVariant variant{subject.candidates[study.candidate], study.options};
+  variant.options.instrumented = false;
+  variant.options.strategy = fitted.input.configurations[attempt.configuration].strategy;
+  variant.options.period_frames = attempt.point.period_frames;
+  return variant;
 }
 
 Result<void> makeImages(const Subject& subject, const Workspace& workspace, const Measuring& measuring, const Training& training,
@@ -278,6 +278,7 @@ Result<RunResult> optimize(const OptimizeArguments& arguments, Progress& progres
   StageClock clock(result, progress);
   clock.end("compile");
 
+  REPRISE_ASSIGN(const DeviceLock lock, lockDevice(device, arguments, progress));
   REPRISE_ASSIGN(Bench bench, openBench(subject, workspace, arguments, device));
   bench.measuring.store = &bench.store;
   TrainOptions options;
@@ -311,8 +312,10 @@ Result<RunResult> optimize(const OptimizeArguments& arguments, Progress& progres
   if (!validated.attempts.empty()) result.validation = describeSessions(validated.shown().run, arguments.metric);
   describeOriginal(training, fitted, selection, validated, result);
   REPRISE_TRY(makeImages(subject, workspace, bench.measuring, training, fitted, validated, result));
-  REPRISE_ASSIGN(const Package package, packageOfChoice(subject, training, fitted, validated));
+  const std::optional<ChosenVariant> chosen = chosenVariant(subject, training, fitted, validated);
+  REPRISE_ASSIGN(const Package package, shippedPackage(subject, chosen ? &*chosen : nullptr));
   REPRISE_TRY(writePackage(package, workspace.packageDir()));                                   // 6 emit
+  REPRISE_TRY(writeFile(workspace.root() / "choice.json", choiceToJson(describeChoice(subject, chosen ? &*chosen : nullptr, result))));
   result.finished_at = utcNow();
   clock.end("emit and report");
   REPRISE_TRY(writeFile(workspace.root() / "result.json", resultToJson(result)));
@@ -330,6 +333,7 @@ Result<RunResult> validateAgain(const std::string& directory, const OptimizeArgu
   REPRISE_ASSIGN(const Subject subject, readSubject(root / "scenario" / "scenario.toml"));
   REPRISE_ASSIGN(const DeviceSummary device, chosenDevice(arguments.device));
   REPRISE_ASSIGN(const Workspace workspace, Workspace::open(directory));
+  REPRISE_ASSIGN(const DeviceLock lock, lockDevice(device, arguments, progress));
   REPRISE_ASSIGN(Bench bench, openBench(subject, workspace, arguments, device));
   bench.measuring.store = &bench.store;
   bench.measuring.metrics = {result.threshold.metric};
@@ -360,6 +364,29 @@ Result<RunResult> validateAgain(const std::string& directory, const OptimizeArgu
   result.validation = describeSessions(run, result.threshold.metric);
   if (!run.judgement.accepted) return Error{ErrorKind::kInput, run.judgement.code, run.judgement.reason, {}};
   return result;
+}
+
+Result<CommittedCheck> validateCommitted(const CommittedArguments& committed, const OptimizeArguments& arguments, Progress& progress) {
+  REPRISE_ASSIGN(const Choice choice, readChoice(committed.choice));
+  if (choice.is_original)
+    return Error{ErrorKind::kInput, "validate.original", "the choice of '" + committed.choice + "' is the original; there is nothing to validate", {}};
+  REPRISE_ASSIGN(Subject subject, readSubjectUnranked(committed.scenario));
+  REPRISE_ASSIGN(const ChosenVariant variant, variantOf(subject, choice));
+  subject.candidates = {variant.candidate};
+  REPRISE_ASSIGN(const DeviceSummary device, chosenDevice(arguments.device));
+  REPRISE_ASSIGN(const Workspace workspace, Workspace::open(arguments.output));
+  REPRISE_TRY(copyInputs(subject, workspace.scenarioFile()));
+  REPRISE_ASSIGN(const DeviceLock lock, lockDevice(device, arguments, progress));
+  REPRISE_ASSIGN(Bench bench, openBench(subject, workspace, arguments, device));
+  bench.measuring.store = &bench.store;
+  bench.measuring.metrics = {choice.metric};
+  ValidationPlan plan;
+  plan.options = variant.options;
+  plan.metric = choice.metric;
+  plan.max_error = choice.max_error;
+  plan.cpu_clock = device.is_cpu;
+  REPRISE_ASSIGN(const ValidationRun run, validateChoice(subject, workspace, bench.measuring, plan, progress));
+  return checkCommitted(choice, {run.judgement, run.worst_session_error, run.binding.ratio, device.name}, committed.cost_tolerance);
 }
 
 Result<void> reportAgain(const std::string& directory) {

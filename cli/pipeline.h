@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "cli/committed_check.h"
 #include "cli/progress.h"
 #include "cli/report/result.h"
 #include "runtime/base/result.h"
@@ -28,6 +29,14 @@ Result<RunResult> optimize(const OptimizeArguments& arguments, Progress& progres
 // Measures DIR's choice again on this device; the result is that of the run with choice, original and validation renewed. Does not
 // write. Errors: result.*, package.*, and of the stages.
 Result<RunResult> validateAgain(const std::string& directory, const OptimizeArguments& arguments, Progress& progress);
+
+// Measures a committed choice of the sources as they are now, in the workspace `arguments.output`, and holds it against its threshold
+// and its recorded cost (committed_check.h). Errors: choice.*, validate.original, and of the stages.
+struct CommittedArguments {
+  std::string choice, scenario;
+  double cost_tolerance = 0.2;
+};
+Result<CommittedCheck> validateCommitted(const CommittedArguments& committed, const OptimizeArguments& arguments, Progress& progress);
 
 // The report again from result.json and the images beside it.
 Result<void> reportAgain(const std::string& directory);

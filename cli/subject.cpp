@@ -36,6 +36,12 @@ Result<void> copyModel(const std::filesystem::path& directory, ModelSpec& model)
 }  // namespace
 
 Result<Subject> readSubject(const std::filesystem::path& scenario_file) {
+  REPRISE_ASSIGN(Subject subject, readSubjectUnranked(scenario_file));
+  subject.candidates = enumerateCandidates(*subject.program.fragment, subject.program.analysis, subject.program.sources, {});
+  return subject;
+}
+
+Result<Subject> readSubjectUnranked(const std::filesystem::path& scenario_file) {
   Subject subject;
   REPRISE_ASSIGN(subject.scenario, readScenario(scenario_file));
   const Scenario& scenario = subject.scenario;
@@ -45,7 +51,8 @@ Result<Subject> readSubject(const std::filesystem::path& scenario_file) {
                                                                            : compileStage(scenario, scenario.vertex_path, ShaderStage::kVertex));
   REPRISE_ASSIGN(subject.program, readProgram(vertex, fragment));
   REPRISE_TRY(checkBindings(scenario, subject.program.interface));
-  subject.candidates = enumerateCandidates(*subject.program.fragment, subject.program.analysis, subject.program.sources, {});
+  for (const CompiledShader* shader : {&fragment, &vertex})
+    subject.included.insert(subject.included.end(), shader->dependencies.begin(), shader->dependencies.end());
   subject.limits.strict_depth_with_writes =
       scenario.state.compare == DepthCompare::kLess || scenario.state.compare == DepthCompare::kGreater;
   subject.limits.stencil = scenario.state.depth_stencil;

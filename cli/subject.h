@@ -17,11 +17,15 @@ struct Subject {
   std::vector<Candidate> candidates;  // kept ones first, ranked
   StateLimits limits;
   bool orthographic = false;
+  std::vector<std::string> included;  // by the shaders, each file once
 };
 
 // Errors: those of readScenario, compile, readProgram and checkBindings; scenario.mixed_projection (kInput), where sessions differ
 // in perspective and orthographic cameras, which one recipe cannot serve.
 Result<Subject> readSubject(const std::filesystem::path& scenario_file);
+
+// The same without candidates, which take most of the time and which a choice that was made does not need.
+Result<Subject> readSubjectUnranked(const std::filesystem::path& scenario_file);
 
 // Copies of the inputs that `play` and `validate` need, with compiled shaders in place of sources.
 Result<void> copyInputs(const Subject& subject, const std::filesystem::path& scenario_file);

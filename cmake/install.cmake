@@ -2,7 +2,8 @@
 #   bin/reprise                             the command line, where it is built
 #   lib/                                    the runtime as static libraries
 #   include/reprise/runtime/...             its public headers, included as "runtime/playback/player.h"
-#   lib/cmake/Reprise/                      find_package(Reprise) with Reprise::package and Reprise::playback
+#   lib/cmake/Reprise/                      find_package(Reprise): Reprise::package, Reprise::playback, reprise_optimize_shader()
+#   lib/pkgconfig/reprise.pc, share/        for Makefiles; the man page and shell completion
 include(CMakePackageConfigHelpers)
 
 set(REPRISE_INSTALL_INCLUDE ${CMAKE_INSTALL_INCLUDEDIR}/reprise)
@@ -23,7 +24,7 @@ install(EXPORT RepriseTargets NAMESPACE Reprise:: DESTINATION ${REPRISE_INSTALL_
 
 foreach(header
     runtime/base/check.h runtime/base/file.h runtime/base/hash.h runtime/base/result.h
-    runtime/package/interface.h runtime/package/package.h runtime/package/recipe.h
+    runtime/package/embedded.h runtime/package/interface.h runtime/package/package.h runtime/package/recipe.h
     runtime/playback/player.h)
   cmake_path(GET header PARENT_PATH folder)
   install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${REPRISE_INSTALL_INCLUDE}/${folder})
@@ -35,7 +36,17 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/RepriseConfig.cmake.in
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/cmake/RepriseConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/cmake/RepriseConfig.cmake ${PROJECT_BINARY_DIR}/cmake/RepriseConfigVersion.cmake
         DESTINATION ${REPRISE_INSTALL_CMAKE})
+install(FILES ${PROJECT_SOURCE_DIR}/cmake/RepriseOptimizeShader.cmake ${PROJECT_SOURCE_DIR}/cmake/reprise_build_step.cmake
+        DESTINATION ${REPRISE_INSTALL_CMAKE})
+
+# For Makefiles: pkg-config --variable=reprise reprise, pkg-config --cflags --libs --static reprise
+configure_file(${CMAKE_CURRENT_LIST_DIR}/reprise.pc.in ${PROJECT_BINARY_DIR}/cmake/reprise.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/cmake/reprise.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
 if(TARGET reprise)
-  install(TARGETS reprise RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS reprise EXPORT RepriseTargets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(FILES ${PROJECT_SOURCE_DIR}/docs/reprise.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  install(FILES ${PROJECT_SOURCE_DIR}/cli/completion/reprise.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME reprise)
+  install(FILES ${PROJECT_SOURCE_DIR}/cli/completion/_reprise DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
 endif()
+include(${CMAKE_CURRENT_LIST_DIR}/deb.cmake)

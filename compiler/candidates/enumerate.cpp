@@ -277,6 +277,50 @@ std::vector<Candidate> enumerateCandidates(const PreparedShader& shader, const S
   return candidates;
 }
 
+namespace {
+
+// What the kept value changes with: of a part of a chain, what its kept terms do.
+std::vector<int> inputsOf(const WantedValue& wanted, const ShaderAnalysis& analysis) {
+  if (!wanted.regrouping) return analysis.inputs_of[static_cast<std::size_t>(wanted.node)];
+  std::set<int> inputs;
+  for (std::size_t i = 0; i < wanted.regrouping->kept.size(); ++i) {
+    const auto node = analysis.graph.node_of.find(wanted.regrouping->chain.terms[i].value);
+    if (!wanted.regrouping->kept[i] || node == analysis.graph.node_of.end()) continue;
+    const std::vector<int>& of_term = analysis.inputs_of[static_cast<std::size_t>(node->second)];
+    inputs.insert(of_term.begin(), of_term.end());
+  }
+  return {inputs.begin(), inputs.end()};
+}
+
+}  // namespace
+
+Candidate candidateOf(const PreparedShader& shader, const ShaderAnalysis& analysis, const std::vector<SourceFile>& sources,
+                      const std::vector<WantedValue>& wanted) {
+  const Surroundings around{shader, analysis, sources, *findFunction(shader.module, shader.entry_function)};
+  Candidate candidate;
+  std::set<int> inputs;
+  for (const WantedValue& one : wanted) {
+    CandidateValue value = valueAt(static_cast<std::size_t>(one.node), around);
+    value.regrouping = one.regrouping;
+    Candidate single = singleOf(value);
+    single.inputs = inputsOf(one, analysis);
+    if (candidate.kept()) candidate.dropped = firstReason(single, around);
+    inputs.insert(single.inputs.begin(), single.inputs.end());
+    candidate.values.push_back(std::move(value));
+  }
+  candidate.inputs.assign(inputs.begin(), inputs.end());
+  candidate.name = joined(candidate.values, shortName);
+  candidate.type = joined(candidate.values, [](const CandidateValue& value) { return value.type; });
+  candidate.operation = candidate.values.size() > 1 ? "group" : candidate.values.front().operation;
+  candidate.scalar = candidate.values.front().scalar;
+  candidate.place = candidate.values.front().place;
+  if (candidate.kept() && analysis.refusal) candidate.dropped = {analysis.refusal->code, analysis.refusal->message};
+  if (!candidate.kept()) return candidate;
+  assignChannels(candidate, around);
+  weigh(candidate, around);
+  return candidate;
+}
+
 bool isRegrouped(const Candidate& candidate) {
   return std::any_of(candidate.values.begin(), candidate.values.end(), [](const CandidateValue& value) { return value.regrouping.has_value(); });
 }

@@ -92,6 +92,17 @@ struct CandidateOptions {
 std::vector<Candidate> enumerateCandidates(const PreparedShader& shader, const ShaderAnalysis& analysis,
                                            const std::vector<SourceFile>& sources, const CandidateOptions& options);
 
+// A value of a payload that somebody names: a node of the graph, or for a regrouping its chain's root.
+struct WantedValue {
+  int node = kNoNode;
+  std::optional<Regrouping> regrouping;
+};
+
+// The payload of just these values, in this order, weighed and with channels as enumerateCandidates gives them; without an id.
+// Dropped where it cannot be kept safely, but not for being cheap, dominated or one of many.
+Candidate candidateOf(const PreparedShader& shader, const ShaderAnalysis& analysis, const std::vector<SourceFile>& sources,
+                      const std::vector<WantedValue>& wanted);
+
 // Whether what is kept is a part of a chain, so that hits equal the original but for rounding (transforms/regroup.h).
 bool isRegrouped(const Candidate& candidate);
 

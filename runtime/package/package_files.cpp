@@ -1,6 +1,10 @@
 // The package on disk: manifest.json with a hash of its own body, modules beside it.
+#include <cstring>
+#include <functional>
+
 #include "runtime/base/file.h"
 #include "runtime/base/hash.h"
+#include "runtime/package/embedded.h"
 #include "runtime/package/json.h"
 #include "runtime/package/json_values.h"
 #include "runtime/package/package.h"
@@ -14,11 +18,25 @@ constexpr const char* kManifest = "manifest.json";
 constexpr std::uint32_t kSpirvMagic = 0x07230203;
 constexpr std::size_t kSpirvHeaderWords = 5;
 
+// The bytes of a file of the package, by its name.
+using FileSource = std::function<Result<std::string>(const std::string& name)>;
+
+Result<std::vector<std::uint32_t>> wordsIn(const std::string& bytes, const std::filesystem::path& file) {
+  if (bytes.size() % sizeof(std::uint32_t) != 0)
+    return Error{ErrorKind::kInput, "spirv.size",
+                 "a SPIR-V file has a whole number of 4-byte words, but this one has " + std::to_string(bytes.size()) +
+                     " bytes; it may be cut short",
+                 {file.string(), 0, 0}};
+  std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
+  if (!words.empty()) std::memcpy(words.data(), bytes.data(), bytes.size());
+  return words;
+}
+
 Error manifestError(const std::filesystem::path& file, const std::string& code, const std::string& message) {
   return {ErrorKind::kInput, code, message, {file.string(), 0, 0}};
 }
 
-Result<void> readModules(const Recipe& recipe, const std::filesystem::path& directory, Package& package) {
+Result<void> readModules(const Recipe& recipe, const std::filesystem::path& directory, const FileSource& source, Package& package) {
   if (recipe.modules.size() > kMostModules)
     return manifestError(directory / kManifest, "package.inconsistent",
                          "a recipe names " + std::to_string(recipe.modules.size()) + " modules, expected at most " + std::to_string(kMostModules));
@@ -27,7 +45,8 @@ Result<void> readModules(const Recipe& recipe, const std::filesystem::path& dire
       return manifestError(directory / kManifest, "package.inconsistent", "'" + entry.name + "' is no module name");
     const std::filesystem::path file = directory / (entry.name + ".spv");
     // Both recipes may name the module, each with a hash of its own.
-    REPRISE_ASSIGN(std::vector<std::uint32_t> words, readWords(file));
+    REPRISE_ASSIGN(const std::string bytes, source(entry.name + ".spv"));
+    REPRISE_ASSIGN(std::vector<std::uint32_t> words, wordsIn(bytes, file));
     if (contentHash(bytesOf(words)) != entry.hash)
       return manifestError(file, "package.tampered",
                            "the module is not the one that the manifest names; run the optimizer again to make a sound package");
@@ -38,24 +57,18 @@ Result<void> readModules(const Recipe& recipe, const std::filesystem::path& dire
   return {};
 }
 
-}  // namespace
-
-Result<void> writePackageFiles(const Package& package, const std::filesystem::path& directory) {
-  for (const auto& [name, words] : package.modules) REPRISE_TRY(writeFile(directory / (name + ".spv"), bytesOf(words)));
-  for (const auto& [name, text] : package.readable) REPRISE_TRY(writeFile(directory / (name + ".glsl"), text));
+std::string manifestText(const Package& package) {
   json body = {{"format_version", kRecipeFormatVersion}, {"tool_version", package.tool_version},
                {"interface", interfaceJson(package.interface)}, {"original", recipeJson(package.original)},
                {"variant", recipeJson(package.variant)}};
   const std::string hash = contentHash(jsonText(body));
-  return writeFile(directory / kManifest, jsonText(json{{"hash", hash}, {"package", std::move(body)}}, 2) + "\n");
+  return jsonText(json{{"hash", hash}, {"package", std::move(body)}}, 2) + "\n";
 }
 
-Result<Package> readPackage(const std::filesystem::path& directory) {
+// `directory` stands in messages only.
+Result<Package> readFrom(const FileSource& source, const std::filesystem::path& directory) {
   const std::filesystem::path file = directory / kManifest;
-  std::error_code status;
-  if (!std::filesystem::exists(file, status))
-    return manifestError(file, "package.missing", "there is no package in '" + directory.string() + "' (no manifest.json)");
-  REPRISE_ASSIGN(const std::string text, readFile(file));
+  REPRISE_ASSIGN(const std::string text, source(kManifest));
   Package package;
   try {
     const json document = parseJson(text);
@@ -73,11 +86,43 @@ Result<Package> readPackage(const std::filesystem::path& directory) {
   } catch (const std::exception& failure) {
     return manifestError(file, "package.manifest", std::string("the manifest cannot be read: ") + failure.what());
   }
-  REPRISE_TRY(readModules(package.original, directory, package));
-  REPRISE_TRY(readModules(package.variant, directory, package));
+  REPRISE_TRY(readModules(package.original, directory, source, package));
+  REPRISE_TRY(readModules(package.variant, directory, source, package));
   const Result<void> checked = checkPackage(package);
   if (!checked.ok()) return manifestError(file, checked.error().code, checked.error().message);
   return package;
+}
+
+}  // namespace
+
+std::vector<PackageFile> packageFiles(const Package& package) {
+  std::vector<PackageFile> files;
+  for (const auto& [name, words] : package.modules) files.push_back({name + ".spv", std::string(bytesOf(words))});
+  files.push_back({kManifest, manifestText(package)});
+  return files;
+}
+
+Result<void> writePackageFiles(const Package& package, const std::filesystem::path& directory) {
+  for (const auto& [name, text] : package.readable) REPRISE_TRY(writeFile(directory / (name + ".glsl"), text));
+  for (const PackageFile& file : packageFiles(package)) REPRISE_TRY(writeFile(directory / file.name, file.bytes));
+  return {};
+}
+
+Result<Package> readPackage(const std::filesystem::path& directory) {
+  const std::filesystem::path file = directory / kManifest;
+  std::error_code status;
+  if (!std::filesystem::exists(file, status))
+    return manifestError(file, "package.missing", "there is no package in '" + directory.string() + "' (no manifest.json)");
+  return readFrom([&](const std::string& name) { return readFile(directory / name); }, directory);
+}
+
+Result<Package> readEmbeddedPackage(std::span<const EmbeddedFile> files) {
+  const FileSource source = [&](const std::string& name) -> Result<std::string> {
+    for (const EmbeddedFile& file : files)
+      if (name == file.name) return std::string(reinterpret_cast<const char*>(file.bytes), file.size);
+    return Error{ErrorKind::kInput, "file.missing", "the embedded package has no file '" + name + "'", {}};
+  };
+  return readFrom(source, "");
 }
 
 }  // namespace reprise

@@ -1,0 +1,28 @@
+// `reprise emit`: the package of a choice from the sources, without a device and without training.
+#pragma once
+
+#include <ostream>
+#include <string>
+
+#include "runtime/base/result.h"
+
+namespace reprise {
+
+enum class OnStale { kFail, kOriginal };
+
+struct EmitArguments {
+  std::string scenario, choice;
+  std::string output;            // the package; with `header` it may be empty
+  std::string header;            // the package as a C++ header; empty: none
+  std::string header_name = "package";  // of the constant in it
+  OnStale on_stale = OnStale::kFail;
+  bool list_dependencies = false;       // -M: print the rule and write nothing else
+  std::string depfile;                  // -MF; empty: none
+  std::string depfile_target;           // -MT; empty: the manifest, else the header
+};
+
+// Notes (a choice of another version of the tool, the original in place of a stale payload) go to `notes`, the rule of -M to `out`.
+// Errors: those of readScenario, readChoice, findPayload and buildPackage; file.unwritable (kMachine); emit.output (kUsage).
+Result<void> emitChoice(const EmitArguments& arguments, std::ostream& out, std::ostream& notes);
+
+}  // namespace reprise

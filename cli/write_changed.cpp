@@ -1,0 +1,85 @@
+#include "cli/write_changed.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "compiler/emit/emit.h"
+#include "runtime/base/file.h"
+
+namespace reprise {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kManifest = "manifest.json";
+
+// Removed at the end of its life with all that is in it.
+class AsideFolder {
+ public:
+  explicit AsideFolder(fs::path path) : path_(std::move(path)) {}
+  AsideFolder(const AsideFolder&) = delete;
+  AsideFolder& operator=(const AsideFolder&) = delete;
+  ~AsideFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+bool sameBytes(const fs::path& file, std::string_view bytes) {
+  std::error_code status;
+  if (!fs::is_regular_file(file, status) || fs::file_size(file, status) != bytes.size()) return false;
+  const Result<std::string> old = readFile(file);
+  return old.ok() && *old == bytes;
+}
+
+// The manifest last: until it is replaced, readers find the old one, whose hashes tell them of a change under way.
+std::vector<fs::path> filesIn(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::stable_partition(files.begin(), files.end(), [](const fs::path& file) { return file.filename() != kManifest; });
+  return files;
+}
+
+}  // namespace
+
+Result<bool> writeIfChanged(const fs::path& file, std::string_view bytes) {
+  if (sameBytes(file, bytes)) return false;
+  REPRISE_TRY(writeFile(file, bytes));
+  return true;
+}
+
+Result<bool> writePackageIfChanged(const Package& package, const fs::path& directory) {
+  std::set<std::string> outdated;
+  std::error_code status;
+  if (fs::exists(directory, status) && !fs::is_directory(directory, status))
+    return Error{ErrorKind::kInput, "output.not_a_directory", "the output '" + directory.string() + "' is a file; name a directory with -o", {}};
+  if (fs::exists(directory / kManifest, status))
+    if (const Result<Package> old = readPackage(directory); old.ok())
+      for (const auto& [name, words] : old->modules) outdated.insert(name);
+  const AsideFolder aside(directory / (".new-" + std::to_string(::getpid())));
+  REPRISE_TRY(writePackage(package, aside.path()));
+  bool changed = false;
+  for (const fs::path& file : filesIn(aside.path())) {
+    REPRISE_ASSIGN(const std::string bytes, readFile(file));
+    if (sameBytes(directory / file.filename(), bytes)) continue;
+    fs::rename(file, directory / file.filename(), status);
+    if (status)
+      return Error{ErrorKind::kMachine, "file.unwritable", "cannot write '" + (directory / file.filename()).string() + "': " + status.message(), {}};
+    changed = true;
+  }
+  for (const auto& [name, words] : package.modules) outdated.erase(name);
+  for (const std::string& name : outdated)
+    for (const char* suffix : {".spv", ".glsl"}) changed |= fs::remove(directory / (name + suffix), status);
+  return changed;
+}
+
+}  // namespace reprise

@@ -1,0 +1,16 @@
+# `cpack -G DEB` in the build folder makes the package of Debian: what the binaries link is found by dpkg-shlibdeps; what is loaded at
+# run time or needed to build against the libraries is named here.
+set(CPACK_PACKAGE_NAME reprise)
+set(CPACK_PACKAGE_CONTACT "Reprise developers <reprise@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Shader-caching optimizer for Vulkan")
+set(CPACK_PACKAGE_DESCRIPTION "Finds the values of a fragment shader that are worth keeping from one frame to the next, measures\nvariants that keep them, and ships the fastest one under an error threshold.")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libvulkan1")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "mesa-vulkan-drivers")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, g++, libvulkan-dev, nlohmann-json3-dev")
+set(CPACK_GENERATOR DEB)
+include(CPack)

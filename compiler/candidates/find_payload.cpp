@@ -1,0 +1,235 @@
+#include "compiler/candidates/find_payload.h"
+
+#include <spirv-tools/libspirv.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "compiler/candidates/value_hashes.h"
+#include "runtime/base/hash.h"
+
+namespace reprise {
+namespace {
+
+// The nodes whose structure is the value's: one, or the kept terms of a chain.
+struct Terms {
+  std::vector<int> nodes;
+  std::vector<bool> negative;
+};
+
+Terms termsOf(const CandidateValue& value, const ValueGraph& graph) {
+  if (!value.regrouping) return {{value.node}, {false}};
+  Terms terms;
+  for (std::size_t i = 0; i < value.regrouping->kept.size(); ++i) {
+    if (!value.regrouping->kept[i]) continue;
+    const ChainTerm& term = value.regrouping->chain.terms[i];
+    const auto node = graph.node_of.find(term.value);
+    terms.nodes.push_back(node == graph.node_of.end() ? kNoNode : node->second);
+    terms.negative.push_back(term.negative);
+  }
+  return terms;
+}
+
+std::vector<std::string> hashesOf(const Terms& terms, const std::vector<std::string>& hashes) {
+  std::vector<std::string> found;
+  for (std::size_t i = 0; i < terms.nodes.size(); ++i)
+    found.push_back((terms.negative[i] ? "-" : "") +
+                    (terms.nodes[i] == kNoNode ? std::string("constant") : hashes[static_cast<std::size_t>(terms.nodes[i])]));
+  return found;
+}
+
+std::string hashOfChain(const std::string& kind, const std::vector<std::string>& terms) {
+  std::string text = kind;
+  for (const std::string& term : terms) text += " " + term;
+  return contentHash(text);
+}
+
+std::map<std::string, int> countOperations(const ValueGraph& graph, const std::vector<int>& nodes) {
+  std::map<std::string, int> counts;
+  const std::vector<bool> needed = neededNodes(graph, nodes);
+  for (std::size_t i = 0; i < needed.size(); ++i) {
+    if (!needed[i]) continue;
+    const char* name = spvOpcodeString(static_cast<std::uint32_t>(graph.nodes[i].instruction->opcode));
+    ++counts[name == nullptr ? "other" : name];
+  }
+  return counts;
+}
+
+std::vector<std::string> inputsOf(const ShaderAnalysis& analysis, const std::vector<int>& nodes) {
+  std::set<std::string> names;
+  for (const int node : nodes)
+    for (const int input : analysis.inputs_of[static_cast<std::size_t>(node)]) {
+      const InputSource& source = analysis.inputs[static_cast<std::size_t>(input)];
+      names.insert(std::string(nameOf(source.kind)) + " " + source.name);
+    }
+  return {names.begin(), names.end()};
+}
+
+struct Hashes {
+  std::vector<std::string> slice, shape;
+};
+
+IdentifiedValue identify(const ShaderAnalysis& analysis, const Hashes& hashes, const CandidateValue& value) {
+  Terms terms = termsOf(value, analysis.graph);
+  IdentifiedValue identity;
+  identity.name = value.name;
+  identity.operation = value.operation;
+  identity.type = value.type;
+  identity.file = std::filesystem::path(value.place.file).filename().string();
+  identity.line = value.place.line;
+  if (value.regrouping) {
+    identity.chain = nameOf(value.regrouping->chain.kind);
+    identity.terms = hashesOf(terms, hashes.slice);
+    identity.slice = hashOfChain(identity.chain, identity.terms);
+    identity.shape = hashOfChain(identity.chain, hashesOf(terms, hashes.shape));
+  } else {
+    identity.slice = hashes.slice[static_cast<std::size_t>(value.node)];
+    identity.shape = hashes.shape[static_cast<std::size_t>(value.node)];
+  }
+  std::erase(terms.nodes, kNoNode);
+  identity.operations = countOperations(analysis.graph, terms.nodes);
+  identity.inputs = inputsOf(analysis, terms.nodes);
+  return identity;
+}
+
+class PayloadFinder {
+ public:
+  PayloadFinder(const PreparedShader& shader, const ShaderAnalysis& analysis, const std::vector<SourceFile>& sources)
+      : shader_(shader), analysis_(analysis), sources_(sources),
+        hashes_{hashValues(shader, analysis), hashValues(shader, analysis, false)} {}
+
+  Result<WantedValue> find(const IdentifiedValue& wanted) const {
+    const std::optional<WantedValue> found = wanted.chain.empty() ? findValue(wanted) : findChain(wanted);
+    if (found) return *found;
+    return stale(wanted);
+  }
+
+ private:
+  std::string nameAt(std::size_t node) const {
+    const auto named = shader_.named.find(analysis_.graph.nodes[node].instruction->result_id);
+    return named == shader_.named.end() ? "" : named->second.name;
+  }
+
+  int lineAt(std::size_t node) const { return placeOf(shader_, *analysis_.graph.nodes[node].instruction, {}).line; }
+
+  // Values of one structure are equal; the hints only tell which of them the payload was.
+  std::optional<WantedValue> findValue(const IdentifiedValue& wanted) const {
+    std::optional<WantedValue> best;
+    int best_likeness = -1;
+    for (std::size_t i = 0; i < hashes_.slice.size(); ++i) {
+      if (!analysis_.live[i] || hashes_.slice[i] != wanted.slice) continue;
+      const int likeness = 2 * (nameAt(i) == wanted.name) + (lineAt(i) == wanted.line);
+      if (likeness <= best_likeness) continue;
+      best = WantedValue{static_cast<int>(i), std::nullopt};
+      best_likeness = likeness;
+    }
+    return best;
+  }
+
+  std::optional<WantedValue> findChain(const IdentifiedValue& wanted) const {
+    for (Chain& chain : findChains(shader_.module, *findFunction(shader_.module, shader_.entry_function))) {
+      const auto root = analysis_.graph.node_of.find(chain.root);
+      if (nameOf(chain.kind) != wanted.chain || root == analysis_.graph.node_of.end() || !analysis_.live[static_cast<std::size_t>(root->second)])
+        continue;
+      Regrouping regrouping{std::move(chain), {}};
+      regrouping.kept.assign(regrouping.chain.terms.size(), true);
+      const std::vector<std::string> terms = hashesOf(termsOf(asValue(regrouping, root->second), analysis_.graph), hashes_.slice);
+      std::size_t next = 0;
+      for (std::size_t i = 0; i < terms.size(); ++i) {
+        regrouping.kept[i] = next < wanted.terms.size() && terms[i] == wanted.terms[next];
+        next += regrouping.kept[i];
+      }
+      if (next == wanted.terms.size() && next < terms.size()) return WantedValue{root->second, std::move(regrouping)};
+    }
+    return std::nullopt;
+  }
+
+  static CandidateValue asValue(const Regrouping& regrouping, int node) {
+    CandidateValue value;
+    value.node = node;
+    value.regrouping = regrouping;
+    return value;
+  }
+
+  // The value that the user would take for the payload: of its name, else of its operation on its line; the last one.
+  std::optional<std::size_t> successorOf(const IdentifiedValue& wanted) const {
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < hashes_.slice.size(); ++i) {
+      const Instruction& instruction = *analysis_.graph.nodes[i].instruction;
+      if (!analysis_.live[i] || instruction.type_id == 0) continue;
+      const char* operation = spvOpcodeString(static_cast<std::uint32_t>(instruction.opcode));
+      const bool same = wanted.name.empty() || !wanted.chain.empty()
+                            ? lineAt(i) == wanted.line && operation != nullptr && wanted.operation == operation
+                            : nameAt(i) == wanted.name;
+      if (same) found = i;
+    }
+    return found;
+  }
+
+  Error stale(const IdentifiedValue& wanted) const {
+    const std::string title = (wanted.name.empty() ? wanted.operation : "'" + wanted.name + "'") + " of line " +
+                              std::to_string(wanted.line) + " of " + wanted.file;
+    const std::string advice = "; choose again with 'reprise optimize', or play the original with --on-stale=original";
+    const std::optional<std::size_t> successor = successorOf(wanted);
+    if (!successor)
+      return {ErrorKind::kInput, "choice.stale", "the payload " + title + " is no longer in the shader" + advice, {wanted.file, 0, 0}};
+    const Place place = placeOf(shader_, *analysis_.graph.nodes[*successor].instruction, sources_);
+    return {ErrorKind::kInput, "choice.stale", "the payload " + title + " has changed since it was chosen: " + changes(wanted, *successor) + advice,
+            place};
+  }
+
+  std::string changes(const IdentifiedValue& before, std::size_t node) const {
+    if (!before.chain.empty()) return "its kept terms are no longer those that were chosen";
+    CandidateValue value;
+    value.node = static_cast<int>(node);
+    const IdentifiedValue now = identify(analysis_, hashes_, value);
+    std::vector<std::string> found;
+    for (const std::string& input : now.inputs)
+      if (!std::binary_search(before.inputs.begin(), before.inputs.end(), input)) found.push_back("it now depends on " + input);
+    for (const std::string& input : before.inputs)
+      if (!std::binary_search(now.inputs.begin(), now.inputs.end(), input)) found.push_back("it no longer depends on " + input);
+    std::map<std::string, int> difference = now.operations;
+    for (const auto& [operation, count] : before.operations) difference[operation] -= count;
+    for (const auto& [operation, count] : difference)
+      if (count != 0) found.push_back(std::to_string(std::abs(count)) + " " + operation + (count > 0 ? " more" : " less"));
+    if (found.empty()) return now.shape == before.shape ? "a constant in what computes it" : "how its operations are joined";
+    std::string text = found.front();
+    for (std::size_t i = 1; i < found.size(); ++i) text += ", " + found[i];
+    return text;
+  }
+
+  const PreparedShader& shader_;
+  const ShaderAnalysis& analysis_;
+  const std::vector<SourceFile>& sources_;
+  Hashes hashes_;
+};
+
+}  // namespace
+
+std::vector<IdentifiedValue> identifyPayload(const PreparedShader& shader, const ShaderAnalysis& analysis, const Candidate& candidate) {
+  const Hashes hashes{hashValues(shader, analysis), hashValues(shader, analysis, false)};
+  std::vector<IdentifiedValue> identified;
+  for (const CandidateValue& value : candidate.values) identified.push_back(identify(analysis, hashes, value));
+  return identified;
+}
+
+Result<Candidate> findPayload(const PreparedShader& shader, const ShaderAnalysis& analysis, const std::vector<SourceFile>& sources,
+                              const std::vector<IdentifiedValue>& payload) {
+  const PayloadFinder finder(shader, analysis, sources);
+  std::vector<WantedValue> wanted;
+  for (const IdentifiedValue& value : payload) {
+    REPRISE_ASSIGN(WantedValue found, finder.find(value));
+    wanted.push_back(std::move(found));
+  }
+  Candidate candidate = candidateOf(shader, analysis, sources, wanted);
+  // What the recipe says of the payload is what it said when it was chosen: of parts of chains the name is made up.
+  for (std::size_t i = 0; i < payload.size(); ++i)
+    if (!payload[i].chain.empty()) candidate.values[i].name = payload[i].name;
+  if (!candidate.kept())
+    return Error{ErrorKind::kInput, "choice.unsafe", "the payload can no longer be kept: " + candidate.dropped.message + " [" + candidate.dropped.code + "]",
+                 candidate.place};
+  return candidate;
+}
+
+}  // namespace reprise
