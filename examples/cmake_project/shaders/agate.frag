@@ -11,9 +11,9 @@ layout(location = 2) in vec3 world_normal;
 layout(location = 0) out vec4 color;
 
 void main() {
-  float bands = fract(4.0 * layers(object_position * vec3(1.0, 2.0, 1.0), 80));
+  float bands = 0.5 + 0.5 * sin(9.0 * layers(object_position * vec3(1.0, 2.0, 1.0), 80));
   vec3 to_camera = normalize(frame.camera_position - world_position);
   float facing = abs(dot(normalize(world_normal), to_camera));
   float specks = textureLod(dust, object_position.xy, 0.0).r;
-  color = vec4(mix(vec3(0.5, 0.1, 0.1), vec3(0.9, 0.7, 0.5), smoothstep(0.1, 0.9, abs(bands - 0.5) * 2.0)) * facing + 0.05 * specks, 1.0);
+  color = vec4(mix(vec3(0.5, 0.1, 0.1), vec3(0.9, 0.7, 0.5), bands) * facing + 0.05 * specks, 1.0);
 }

@@ -1,0 +1,158 @@
+// `reprise emit` on the committed choices of examples/cmake_project: the same bytes anywhere, no device, and what it says of bad input.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "tests/e2e/run_command.h"
+
+namespace reprise {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kShaders = fs::path(REPRISE_SOURCE_DIR) / "examples/cmake_project/shaders";
+
+std::map<std::string, std::string> filesOf(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) files[entry.path().lexically_relative(folder).string()] = textOf(entry.path());
+  return files;
+}
+
+class Emit : public testing::Test {
+ protected:
+  void SetUp() override { fs::copy(kShaders, shaders()); }
+
+  fs::path shaders() const { return folder_ / "shaders"; }
+  fs::path output() const { return folder_ / "package"; }
+  fs::path choice() const { return shaders() / "granite.choice.json"; }
+
+  CommandOutcome emit(std::vector<std::string> more = {}, const std::string& scenario = "granite") const {
+    CommandSpec spec;
+    spec.words = {REPRISE_EXECUTABLE, "emit", shaders() / (scenario + ".toml"), "--choice", shaders() / (scenario + ".choice.json"), "-o", output()};
+    spec.words.insert(spec.words.end(), more.begin(), more.end());
+    // No Vulkan device can be found: none is needed.
+    spec.environment = {{"VK_ICD_FILENAMES", "/nonexistent.json"}, {"VK_DRIVER_FILES", "/nonexistent.json"}};
+    return runCommand(spec);
+  }
+
+  void replace(const fs::path& file, const std::string& from, const std::string& to) const {
+    std::string text = textOf(file);
+    ASSERT_NE(text.find(from), std::string::npos) << file << " does not hold " << from;
+    writeText(file, text.replace(text.find(from), from.size(), to));
+  }
+
+  void expectRefused(const CommandOutcome& outcome, int status, const std::string& said) const {
+    EXPECT_EQ(outcome.status, status) << outcome.all();
+    EXPECT_NE(outcome.errors.find(said), std::string::npos) << outcome.errors;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Emit, GivesTheSameBytesWhereverTheSourcesLie) {
+  ASSERT_EQ(emit().status, 0);
+  const auto first = filesOf(output());
+  EXPECT_TRUE(first.contains("manifest.json"));
+  const fs::path moved = folder_ / "somewhere" / "else";
+  fs::create_directories(moved.parent_path());
+  fs::rename(shaders(), moved);
+  const CommandOutcome outcome = runCommand({REPRISE_EXECUTABLE, "emit", moved / "granite.toml", "--choice", moved / "granite.choice.json", "-o",
+                                             folder_ / "second"});
+  ASSERT_EQ(outcome.status, 0) << outcome.all();
+  EXPECT_EQ(first, filesOf(folder_ / "second"));
+}
+
+TEST_F(Emit, WritesNothingWhereNothingDiffers) {
+  ASSERT_EQ(emit({"--header", folder_ / "granite.h"}).status, 0);
+  std::map<fs::path, fs::file_time_type> times;
+  for (const fs::directory_entry& entry : fs::directory_iterator(output())) times[entry.path()] = entry.last_write_time();
+  times[folder_ / "granite.h"] = fs::last_write_time(folder_ / "granite.h");
+  ASSERT_EQ(emit({"--header", folder_ / "granite.h"}).status, 0);
+  for (const auto& [file, time] : times) EXPECT_EQ(fs::last_write_time(file), time) << file;
+}
+
+TEST_F(Emit, SurvivesAnEditOfTheTail) {
+  replace(shaders() / "granite.frag", "(0.2 + 0.8 * facing)", "(0.3 + 0.6 * facing * facing)");
+  const CommandOutcome outcome = emit();
+  EXPECT_EQ(outcome.status, 0) << outcome.all();
+  EXPECT_EQ(textOf(output() / "manifest.json").find("\"strategy\": \"original\""), textOf(output() / "manifest.json").rfind("\"strategy\": \"original\""));
+}
+
+TEST_F(Emit, SaysWhatOfTheSliceChangedAndLeavesTheOldPackage) {
+  ASSERT_EQ(emit().status, 0);
+  const auto before = filesOf(output());
+  replace(shaders() / "noise.glsl", "1.37", "1.41");
+  expectRefused(emit(), 1, "choice.stale");
+  expectRefused(emit(), 1, "constant");
+  EXPECT_EQ(filesOf(output()), before);
+}
+
+TEST_F(Emit, ShipsTheOriginalOfAStaleChoiceWhereAllowed) {
+  ASSERT_EQ(emit().status, 0);
+  replace(shaders() / "noise.glsl", "sin(point.z)", "cos(point.z)");
+  const CommandOutcome outcome = emit({"--on-stale", "original"});
+  EXPECT_EQ(outcome.status, 0) << outcome.all();
+  EXPECT_NE(outcome.errors.find("the original is shipped"), std::string::npos) << outcome.errors;
+  for (const auto& [name, bytes] : filesOf(output())) EXPECT_TRUE(name == "manifest.json" || name.starts_with("original")) << name;
+}
+
+TEST_F(Emit, ListsEverythingThatThePackageDependsOn) {
+  const CommandOutcome outcome = emit({"-M"}, "agate");
+  ASSERT_EQ(outcome.status, 0) << outcome.all();
+  for (const char* name : {"agate.toml", "agate.frag", "common.vert", "noise.glsl", "dust.png", "agate.choice.json"})
+    EXPECT_NE(outcome.output.find((shaders() / name).string()), std::string::npos) << name << " is missing in\n" << outcome.output;
+  EXPECT_FALSE(fs::exists(output()));
+  ASSERT_EQ(emit({"-MD", "-MF", folder_ / "agate.d", "-MT", "wanted"}, "agate").status, 0);
+  EXPECT_TRUE(textOf(folder_ / "agate.d").starts_with("wanted:"));
+}
+
+TEST_F(Emit, RefusesBadChoices) {
+  fs::remove(choice());
+  expectRefused(emit(), 1, "choice.missing");
+  writeText(choice(), "<<<<<<< ours\n{}\n");
+  expectRefused(emit(), 1, "choice.syntax");
+  writeText(choice(), "{\"format_version\": 999, \"tool_version\": \"9.0\"}");
+  expectRefused(emit(), 1, "choice.version");
+  writeText(choice(), "{\"format_version\": 1}");
+  expectRefused(emit(), 1, "choice.invalid");
+  EXPECT_FALSE(fs::exists(output()));
+}
+
+TEST_F(Emit, NotesAChoiceOfAnotherVersion) {
+  std::string text = textOf(choice());
+  const std::size_t at = text.find("\"tool_version\": \"") + 17;
+  text.replace(at, text.find('"', at) - at, "0.0.1");
+  writeText(choice(), text);
+  const CommandOutcome outcome = emit();
+  EXPECT_EQ(outcome.status, 0) << outcome.all();
+  EXPECT_NE(outcome.errors.find("was made by reprise 0.0.1"), std::string::npos) << outcome.errors;
+}
+
+TEST_F(Emit, RefusesAMissingTexture) {
+  fs::remove(shaders() / "dust.png");
+  expectRefused(emit({}, "agate"), 1, "dust.png");
+  EXPECT_FALSE(fs::exists(output()));
+}
+
+TEST_F(Emit, SaysThatItCannotWrite) {
+  const CommandOutcome outcome =
+      runCommand({REPRISE_EXECUTABLE, "emit", shaders() / "granite.toml", "--choice", choice(), "-o", "/proc/reprise"});
+  expectRefused(outcome, 3, "file.unwritable");
+}
+
+// A run's own package and the one made of its choice, whatever was chosen.
+TEST_F(Emit, EqualsWhatOptimizeWrote) {
+  const fs::path run = folder_ / "run";
+  const CommandOutcome optimized = runCommand({REPRISE_EXECUTABLE, "optimize", shaders() / "granite.toml", "--max-error", "0.03", "--budget", "5s",
+                                               "-o", run, "--quiet"});
+  ASSERT_EQ(optimized.status, 0) << optimized.all();
+  const CommandOutcome emitted = runCommand({REPRISE_EXECUTABLE, "emit", shaders() / "granite.toml", "--choice", run / "choice.json", "-o", output()});
+  ASSERT_EQ(emitted.status, 0) << emitted.all();
+  EXPECT_EQ(filesOf(run / "package"), filesOf(output()));
+}
+
+}  // namespace
+}  // namespace reprise
