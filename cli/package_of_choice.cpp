@@ -5,6 +5,8 @@
 
 #include "cli/train.h"
 #include "cli/version.h"
+#include "runtime/base/file.h"
+#include "runtime/base/hash.h"
 
 namespace reprise {
 namespace {
@@ -14,6 +16,37 @@ namespace fs = std::filesystem;
 std::string relativeTo(const fs::path& folder, const std::string& file) {
   if (file.empty() || !fs::path(file).is_absolute()) return file;
   return fs::path(file).lexically_relative(folder).generic_string();
+}
+
+// The module with the files that it names relative to `folder`: where the sources lie on a machine is nothing that ships.
+Result<std::vector<std::uint32_t>> relocated(std::span<const std::uint32_t> words, const fs::path& folder) {
+  REPRISE_ASSIGN(Module module, readModule(words));
+  for (Instruction& instruction : module.debug_sources)
+    if (instruction.opcode == spv::Op::OpString) instruction.operands[0] = stringOperand(relativeTo(folder, stringOf(instruction.operands[0])));
+  return writeModule(module);
+}
+
+fs::path folderOf(const Subject& subject) { return fs::path(subject.scenario.path).parent_path(); }
+
+Result<void> relocate(const fs::path& folder, Package& package) {
+  for (auto& [name, words] : package.modules) {
+    REPRISE_ASSIGN(words, relocated(words, folder));
+    for (Recipe* recipe : {&package.original, &package.variant})
+      for (ModuleEntry& entry : recipe->modules)
+        if (entry.name == name) entry.hash = contentHash(bytesOf(words));
+  }
+  for (PayloadValue& value : package.variant.payload) value.file = relativeTo(folder, value.file);
+  return {};
+}
+
+// Of the shaders as they are compiled, wherever they lie.
+std::string shaderHash(const Subject& subject) {
+  std::string bytes;
+  for (const auto* words : {&subject.program.vertex_words, &subject.program.fragment_words}) {
+    const Result<std::vector<std::uint32_t>> moved = relocated(*words, folderOf(subject));
+    bytes += bytesOf(moved.ok() ? *moved : *words);
+  }
+  return contentHash(bytes);
 }
 
 ChosenModels modelsOf(const RunResult& result) {
@@ -47,7 +80,7 @@ Choice describeChoice(const Subject& subject, const ChosenVariant* variant, cons
   choice.reason = result.choice.reason;
   choice.scenario_file = fs::path(result.scenario.path).filename().string();
   choice.scenario_hash = subject.scenario.hash;
-  choice.shader_hash = subject.program.hash;
+  choice.shader_hash = shaderHash(subject);
   choice.metric = result.threshold.metric;
   choice.max_error = result.threshold.value;
   choice.device = {result.device.name, result.device.driver, result.clock};
@@ -81,8 +114,7 @@ Result<Package> shippedPackage(const Subject& subject, const ChosenVariant* vari
   REPRISE_ASSIGN(Package package, variant == nullptr ? buildPackage(subject.program, {}, original, subject.limits)
                                                      : buildPackage(subject.program, variant->candidate, variant->options, subject.limits));
   package.tool_version = kToolVersion;
-  const fs::path folder = fs::path(subject.scenario.path).parent_path();
-  for (PayloadValue& value : package.variant.payload) value.file = relativeTo(folder, value.file);
+  REPRISE_TRY(relocate(folderOf(subject), package));
   return package;
 }
 

@@ -62,7 +62,9 @@ TEST_F(Emit, GivesTheSameBytesWhereverTheSourcesLie) {
   const CommandOutcome outcome = runCommand({REPRISE_EXECUTABLE, "emit", moved / "granite.toml", "--choice", moved / "granite.choice.json", "-o",
                                              folder_ / "second"});
   ASSERT_EQ(outcome.status, 0) << outcome.all();
-  EXPECT_EQ(first, filesOf(folder_ / "second"));
+  const auto second = filesOf(folder_ / "second");
+  ASSERT_EQ(first.size(), second.size());
+  for (const auto& [name, bytes] : first) EXPECT_TRUE(second.contains(name) && second.at(name) == bytes) << name << " differs";
 }
 
 TEST_F(Emit, WritesNothingWhereNothingDiffers) {
@@ -78,7 +80,7 @@ TEST_F(Emit, SurvivesAnEditOfTheTail) {
   replace(shaders() / "granite.frag", "(0.2 + 0.8 * facing)", "(0.3 + 0.6 * facing * facing)");
   const CommandOutcome outcome = emit();
   EXPECT_EQ(outcome.status, 0) << outcome.all();
-  EXPECT_EQ(textOf(output() / "manifest.json").find("\"strategy\": \"original\""), textOf(output() / "manifest.json").rfind("\"strategy\": \"original\""));
+  EXPECT_TRUE(filesOf(output()).contains("fragment_hits.spv"));
 }
 
 TEST_F(Emit, SaysWhatOfTheSliceChangedAndLeavesTheOldPackage) {
@@ -87,7 +89,7 @@ TEST_F(Emit, SaysWhatOfTheSliceChangedAndLeavesTheOldPackage) {
   replace(shaders() / "noise.glsl", "1.37", "1.41");
   expectRefused(emit(), 1, "choice.stale");
   expectRefused(emit(), 1, "constant");
-  EXPECT_EQ(filesOf(output()), before);
+  EXPECT_TRUE(filesOf(output()) == before);
 }
 
 TEST_F(Emit, ShipsTheOriginalOfAStaleChoiceWhereAllowed) {
@@ -96,7 +98,9 @@ TEST_F(Emit, ShipsTheOriginalOfAStaleChoiceWhereAllowed) {
   const CommandOutcome outcome = emit({"--on-stale", "original"});
   EXPECT_EQ(outcome.status, 0) << outcome.all();
   EXPECT_NE(outcome.errors.find("the original is shipped"), std::string::npos) << outcome.errors;
-  for (const auto& [name, bytes] : filesOf(output())) EXPECT_TRUE(name == "manifest.json" || name.starts_with("original")) << name;
+  // The modules of the variant are gone, those of the original are there.
+  for (const auto& [name, bytes] : filesOf(output()))
+    EXPECT_TRUE(name == "manifest.json" || name.starts_with("fragment.") || name.starts_with("original_vertex.")) << name;
 }
 
 TEST_F(Emit, ListsEverythingThatThePackageDependsOn) {
@@ -151,7 +155,9 @@ TEST_F(Emit, EqualsWhatOptimizeWrote) {
   ASSERT_EQ(optimized.status, 0) << optimized.all();
   const CommandOutcome emitted = runCommand({REPRISE_EXECUTABLE, "emit", shaders() / "granite.toml", "--choice", run / "choice.json", "-o", output()});
   ASSERT_EQ(emitted.status, 0) << emitted.all();
-  EXPECT_EQ(filesOf(run / "package"), filesOf(output()));
+  const auto made = filesOf(run / "package"), again = filesOf(output());
+  ASSERT_EQ(made.size(), again.size());
+  for (const auto& [name, bytes] : made) EXPECT_TRUE(again.contains(name) && again.at(name) == bytes) << name << " differs";
 }
 
 }  // namespace
