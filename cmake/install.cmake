@@ -40,6 +40,8 @@ install(FILES ${PROJECT_SOURCE_DIR}/cmake/RepriseOptimizeShader.cmake ${PROJECT_
         DESTINATION ${REPRISE_INSTALL_CMAKE})
 
 # For Makefiles: pkg-config --variable=reprise reprise, pkg-config --cflags --libs --static reprise
+# Its prefix is told from where it lies, so that an installed tree can be moved.
+file(RELATIVE_PATH REPRISE_PC_PREFIX /root/${CMAKE_INSTALL_LIBDIR}/pkgconfig /root)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/reprise.pc.in ${PROJECT_BINARY_DIR}/cmake/reprise.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/cmake/reprise.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
