@@ -7,18 +7,36 @@
 
 #include "compiler/strategies/cache_layout.h"
 #include "fitting/selection/pace.h"
+#include "fitting/solve/order_range.h"
+#include "fitting/solve/paired_ratio.h"
 
 namespace reprise {
 namespace {
 
 std::optional<double> known(double value) { return std::isfinite(value) ? std::optional<double>(value) : std::nullopt; }
 
+// "poor: misses the measured errors by 40%". Some explanations begin with the verdict themselves.
+std::string verdictText(FitVerdict verdict, const std::string& explanation) {
+  const std::string name = nameOf(verdict);
+  return explanation.empty() ? name : explanation.starts_with(name) ? explanation : name + ": " + explanation;
+}
+
 RunErrorModel describeModel(const ErrorFit& fit) {
-  RunErrorModel model{fit.family, {}, known(fit.r_squared), nameOf(fit.verdict)};
+  RunErrorModel model{fit.family, {}, known(fit.r_squared), verdictText(fit.verdict, fit.explanation)};
   for (const FittedParameter& parameter : fit.parameters)
     model.parameters.push_back({parameter.name, parameter.value, RunInterval{parameter.lo, parameter.hi}});
-  if (!fit.explanation.empty()) model.verdict += ": " + fit.explanation;
   return model;
+}
+
+// Two histories: this frame's and the last one's.
+double cacheBytes(const Candidate& candidate, const VariantOptions& options) {
+  return 2.0 * cacheLayout(candidate.channels, options.encoding, isInteger(candidate.scalar)).bytes_per_pixel;
+}
+
+std::vector<double> clockTimes(const std::vector<TimedFrame>& frames) {
+  std::vector<double> times;
+  for (const TimedFrame& frame : frames) times.push_back(frame.clock_ms);
+  return times;
 }
 
 std::vector<double> clockOf(const std::map<std::string, std::vector<TimedFrame>>& sessions) {
@@ -36,9 +54,47 @@ std::optional<double> measuredError(const ErrorStudy& study, std::uint32_t perio
   return sessionError(metric, rows, period);
 }
 
+// What the errors of single frames lie in, over all settled frames, but for 2.5% at each end.
+std::optional<RunInterval> frameErrors(const ErrorStudy& study, std::uint32_t period, const std::string& metric) {
+  std::vector<double> errors;
+  const auto sessions = study.rows.find(period);
+  if (sessions == study.rows.end()) return std::nullopt;
+  for (const auto& [session, rows] : sessions->second)
+    for (const ErrorRow& row : rows)
+      if (const auto error = row.errors.find(metric); row.frame >= firstSettledFrame(period) && row.covered > 0 && error != row.errors.end())
+        errors.push_back(error->second);
+  if (errors.empty()) return std::nullopt;
+  const OrderRange range = middleRange(std::move(errors), 0.95);
+  return RunInterval{range.lo, range.hi};
+}
+
+// Rounds pair within a session, by their place.
+void describeTimes(const CostStudy& costs, std::uint32_t period, RunPoint& point) {
+  const auto timed = costs.frames.find(period);
+  if (timed == costs.frames.end()) return;
+  const std::vector<double> all = clockOf(timed->second);
+  point.measured_frame_ms = known(medianOf(all));
+  if (!all.empty()) {
+    const OrderRange range = medianInterval(all);
+    point.measured_frame_ms_ci95 = RunInterval{range.lo, range.hi};
+  }
+  std::vector<double> variant, original;
+  for (const auto& [session, frames] : timed->second) {
+    const auto reference = costs.reference.find(session);
+    if (reference == costs.reference.end() || reference->second.size() != frames.size()) continue;
+    for (const double ms : clockTimes(frames)) variant.push_back(ms);
+    for (const double ms : clockTimes(reference->second)) original.push_back(ms);
+  }
+  const PairedRatio ratio = pairedRatio(original, variant);
+  if (ratio.pairs == 0) return;
+  point.measured_speedup = known(ratio.ratio);
+  point.speedup_ci95 = RunInterval{ratio.lo, ratio.hi};
+}
+
 void addPoints(const Training& training, const FittedTraining& fitted, const Selection& selection, std::size_t configuration,
                const std::string& metric, RunConfiguration& described) {
   const CostStudy& costs = training.costs[fitted.cost_study[configuration]];
+  const ErrorFit& fit = fitted.input.configurations[configuration].error_fit;
   for (const TradeoffPoint& point : selection.points) {
     if (point.configuration != configuration) continue;
     RunPoint entry;
@@ -46,8 +102,13 @@ void addPoints(const Training& training, const FittedTraining& fitted, const Sel
     entry.predicted_error = known(point.predicted_error);
     entry.predicted_frame_ms = known(point.predicted_frame_ms);
     entry.measured_error = measuredError(training.errors[costs.error_study], point.period_frames, metric);
-    const auto timed = costs.frames.find(point.period_frames);
-    if (timed != costs.frames.end()) entry.measured_frame_ms = known(medianOf(clockOf(timed->second)));
+    entry.predicted_hit_rate = known(point.predicted_hit_rate);
+    entry.measured_error_frames = frameErrors(training.errors[costs.error_study], point.period_frames, metric);
+    if (point.period_frames != kNeverRefresh && isUsable(fit.verdict)) {
+      const ErrorPrediction error = predictError(fit, point.period_frames);
+      entry.predicted_error_ci95 = RunInterval{error.lo, error.hi};
+    }
+    describeTimes(costs, point.period_frames, entry);
     described.points.push_back(entry);
   }
 }
@@ -59,8 +120,7 @@ RunConfiguration describeConfiguration(const Configuration& configuration) {
   described.filter = configuration.filter;
   described.encoding = configuration.encoding;
   described.block_pixels = configuration.block_pixels;
-  described.cost_verdict = nameOf(configuration.cost.verdict);
-  if (!configuration.cost.explanation.empty()) described.cost_verdict += ": " + configuration.cost.explanation;
+  described.cost_verdict = verdictText(configuration.cost.verdict, configuration.cost.explanation);
   described.cost_r_squared = known(configuration.cost.r_squared);
   if (isUsable(configuration.cost.verdict)) {
     described.hit_ns = configuration.cost.cost.hit_ns;
@@ -142,15 +202,37 @@ std::vector<RunCandidate> describeCandidates(const Subject& subject, const Train
         const Configuration& configuration = fitted.input.configurations[i];
         if (!entry.hit_rate_mu && isUsable(configuration.hit_rate.verdict)) entry.hit_rate_mu = configuration.hit_rate.mu.value;
         RunConfiguration one = describeConfiguration(configuration);
+        one.cache_bytes_per_pixel = cacheBytes(candidate, errors.options);
         addPoints(training, fitted, selection, i, metric, one);
         entry.configurations.push_back(std::move(one));
       }
       if (!timed) entry.configurations.push_back(untimedConfiguration(errors, subject, metric));
     }
+    if (const auto limit = training.limits.find(index); limit != training.limits.end()) entry.limit_frame_ms = known(medianOf(clockTimes(limit->second)));
     describeStatus(training, index, candidate, has_rows, entry);
     described.push_back(std::move(entry));
   }
   return described;
+}
+
+RunVariant describeVariant(const Configuration& configuration, std::uint32_t period_frames) {
+  return {configuration.candidate_id, configuration.strategy, configuration.pattern, configuration.filter, configuration.encoding,
+          configuration.block_pixels, period_frames};
+}
+
+std::vector<std::string> fitWarnings(const RunResult& result) {
+  std::vector<std::string> warnings;
+  for (const RunCandidate& candidate : result.candidates) {
+    if (result.choice.kind != ChoiceKind::kVariant || candidate.id != result.choice.candidate_id) continue;
+    const std::string name = candidate.name.empty() ? candidate.id : candidate.name;
+    if (candidate.error_model && !candidate.error_model->verdict.starts_with(nameOf(FitVerdict::kGood)))
+      warnings.push_back(fmt::format("{}: model of the error is {}", name, candidate.error_model->verdict));
+    for (const RunConfiguration& one : candidate.configurations)
+      if (one.strategy == result.choice.strategy && one.pattern == result.choice.pattern && one.filter == result.choice.filter &&
+          one.encoding == result.choice.encoding && one.block_pixels == result.choice.block_pixels && !one.cost_verdict.starts_with(nameOf(FitVerdict::kGood)))
+        warnings.push_back(fmt::format("{}: model of the cost is {}", name, one.cost_verdict));
+  }
+  return warnings;
 }
 
 RunAttempt describeAttempt(const FittedTraining& fitted, const ValidationAttempt& attempt) {
@@ -227,8 +309,7 @@ void describeAccepted(const Subject& subject, const Training& training, const Fi
   choice.p95_ms = known(run.binding.variant_p95_ms);
   choice.worst_ms = known(run.binding.variant_worst_ms);
   choice.hit_rate = run.hit_rate;
-  const CacheLayout layout = cacheLayout(candidate.channels, study.options.encoding, isInteger(candidate.scalar));
-  choice.cache_bytes_per_pixel = 2.0 * layout.bytes_per_pixel;
+  choice.cache_bytes_per_pixel = cacheBytes(candidate, study.options);
   result.limit = {known(run.limit_ms), candidate.id};
 }
 

@@ -22,6 +22,12 @@ struct ValidationAttempt {
 std::vector<RunCandidate> describeCandidates(const Subject& subject, const Training& training, const FittedTraining& fitted,
                                              const Selection& selection, const std::string& metric);
 
+RunVariant describeVariant(const Configuration& configuration, std::uint32_t period_frames);
+
+// Models of the choice that are not to be trusted, one sentence each: a fit that its points do not follow, a cost model whose terms
+// the sessions' coverage cannot tell apart.
+std::vector<std::string> fitWarnings(const RunResult& result);
+
 RunAttempt describeAttempt(const FittedTraining& fitted, const ValidationAttempt& attempt);
 
 // The accepted attempt as the run's choice, original, limit and validation.

@@ -27,20 +27,9 @@ HitRateFit fitHits(const ErrorStudy& study) {
   return fitHitRate(points);
 }
 
-// Frames that were both timed and counted: Eq. 5 wants the fragments of the very frame.
 CostFit fitFrames(const ErrorStudy& errors, const CostStudy& costs) {
   std::vector<CostPoint> points;
-  for (const auto& [period, sessions] : costs.frames)
-    for (const auto& [session, frames] : sessions) {
-      const auto counted = errors.rows.find(period);
-      if (counted == errors.rows.end()) continue;
-      const auto rows = counted->second.find(session);
-      if (rows == counted->second.end()) continue;
-      for (const TimedFrame& timed : frames)
-        for (const ErrorRow& row : rows->second)
-          if (row.frame == timed.frame)
-            points.push_back({static_cast<double>(row.shaded_hits), static_cast<double>(row.shaded_misses), timed.clock_ms});
-    }
+  for (const TimedCount& frame : timedAndCounted(errors, costs)) points.push_back(frame.point);
   return fitCost(points);
 }
 
@@ -59,6 +48,22 @@ std::vector<double> clockTimes(const std::vector<TimedFrame>& frames) {
 }
 
 }  // namespace
+
+std::vector<TimedCount> timedAndCounted(const ErrorStudy& errors, const CostStudy& costs) {
+  std::vector<TimedCount> points;
+  for (const auto& [period, sessions] : costs.frames)
+    for (const auto& [session, frames] : sessions) {
+      const auto counted = errors.rows.find(period);
+      if (counted == errors.rows.end()) continue;
+      const auto rows = counted->second.find(session);
+      if (rows == counted->second.end()) continue;
+      for (const TimedFrame& timed : frames)
+        for (const ErrorRow& row : rows->second)
+          if (row.frame == timed.frame)
+            points.push_back({period, {static_cast<double>(row.shaded_hits), static_cast<double>(row.shaded_misses), timed.clock_ms}});
+    }
+  return points;
+}
 
 std::vector<ErrorPoint> errorPoints(const ErrorStudy& study, const std::string& metric) {
   std::vector<ErrorPoint> points;

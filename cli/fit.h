@@ -20,6 +20,13 @@ ErrorFit fitErrors(const ErrorStudy& study, const std::string& metric);
 // The error of "never", measured directly; nullopt if that period was not trained.
 std::optional<double> neverError(const ErrorStudy& study, const std::string& metric);
 
+// Frames that were both timed and counted: Eq. 5 wants the fragments of the very frame.
+struct TimedCount {
+  std::uint32_t period_frames = 1;
+  CostPoint point;
+};
+std::vector<TimedCount> timedAndCounted(const ErrorStudy& errors, const CostStudy& costs);
+
 FittedTraining fitTraining(const Subject& subject, const Training& training, const std::string& metric);
 
 // Median frame time of the faster of the original and the original behind a prepass (ms of the binding clock).

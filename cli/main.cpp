@@ -20,6 +20,7 @@
 #include "cli/commands/play.h"
 #include "cli/pipeline.h"
 #include "cli/report/text.h"
+#include "cli/report_directory.h"
 #include "cli/version.h"
 #include "compiler/source/versions.h"
 #include "profiler/session/job.h"
@@ -73,6 +74,7 @@ struct Words {
   std::string on_stale = "fail";
   std::string period;
   std::string directory;
+  std::string report_format = "html";
   bool json = false;
 
   bool errorsAsJson() const { return error_format == "json"; }
@@ -154,6 +156,17 @@ int runValidate(Words& words, const std::string& command) {
   const Result<RunResult> result = validateAgain(words.directory, words.optimize, progress);
   if (!result.ok()) return report(result.error(), words.errorsAsJson());
   std::cout << result->choice.reason << '\n';
+  return 0;
+}
+
+int runReport(const Words& words) {
+  if (words.report_format == "html") {
+    const Result<void> result = reportAgain(words.directory);
+    return result.ok() ? 0 : report(result.error(), words.errorsAsJson());
+  }
+  const Result<std::string> text = reportText(words.directory, words.report_format);
+  if (!text.ok()) return report(text.error(), words.errorsAsJson());
+  std::cout << *text;
   return 0;
 }
 
@@ -311,6 +324,8 @@ int run(int argc, char** argv) {
   validate->add_option("-o,--output", words.validate_output, "directory for what is measured of --choice; else a temporary one");
   CLI::App* report_command = app.add_subcommand("report", "write the report of an output directory again");
   report_command->add_option("directory", words.directory)->required();
+  report_command->add_option("--format", words.report_format, "html (DIR/report.html), or markdown or csv to standard output")
+      ->check(CLI::IsMember({"html", "markdown", "csv"}))->capture_default_str();
   CLI::App* devices = app.add_subcommand("devices", "list the Vulkan devices");
   devices->add_flag("--json", words.json, "JSON instead of text");
   app.add_subcommand("worker", "")->group("");
@@ -332,10 +347,7 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("analyze")) return runAnalyze(words);
   if (app.got_subcommand("play")) return runPlay(words);
   if (app.got_subcommand(validate)) return runValidate(words, command);
-  if (app.got_subcommand(report_command)) {
-    const Result<void> result = reportAgain(words.directory);
-    return result.ok() ? 0 : report(result.error(), words.errorsAsJson());
-  }
+  if (app.got_subcommand(report_command)) return runReport(words);
   const Result<void> result = listDevicesCommand(words.json, std::cout);
   return result.ok() ? 0 : report(result.error(), words.errorsAsJson());
 }

@@ -7,12 +7,15 @@
 #include <ctime>
 #include <fstream>
 
+#include "cli/describe_evidence.h"
 #include "cli/describe_run.h"
 #include "cli/device_lock.h"
+#include "cli/evidence_pictures.h"
 #include "cli/fit.h"
 #include "cli/model_scenario.h"
 #include "cli/package_of_choice.h"
-#include "cli/report/write_report.h"
+#include "cli/report_directory.h"
+#include "cli/smear_warnings.h"
 #include "cli/subject.h"
 #include "cli/train.h"
 #include "cli/validate_choice.h"
@@ -28,7 +31,6 @@ namespace reprise {
 namespace {
 
 constexpr std::size_t kMostAttempts = 5;
-constexpr double kErrorGain = 8;
 
 class StageClock {
  public:
@@ -187,53 +189,37 @@ std::optional<ChosenVariant> chosenVariant(const Subject& subject, const Trainin
   return variant;
 }
 
-Result<void> makeImages(const Subject& subject, const Workspace& workspace, const Measuring& measuring, const Training& training,
-                        const FittedTraining& fitted, const Validated& validated, RunResult& result) {
-  if (!validated.accepted) return {};
-  const ValidationAttempt& attempt = validated.chosen();
-  const ErrorStudy& study = training.errors[training.costs[fitted.cost_study[attempt.configuration]].error_study];
-  VariantOptions options = study.options;
-  options.strategy = fitted.input.configurations[attempt.configuration].strategy;
-  options.instrumented = true;
-  REPRISE_ASSIGN(const StoredVariant counting, storeVariant(workspace, subject.program, subject.candidates[study.candidate], options, subject.limits));
-  Job job;
-  job.kind = JobKind::kImages;
-  job.scenario_path = measuring.scenario_path;
-  job.session = attempt.run.sessions.front().name;
-  job.original_dir = measuring.original_dir;
-  job.entries = {{counting.dir, attempt.point.period_frames}};
-  job.device = measuring.device;
-  job.image_frame = std::max(firstSettledFrame(attempt.point.period_frames), 8);
-  job.image_dir = workspace.imagesDir().string();
-  REPRISE_ASSIGN(const JobResult made, superviseJob(job, measuring.supervisor, {}));
-  result.images.session = job.session;
-  result.images.frame = job.image_frame;
-  result.images.error_gain = kErrorGain;
-  const auto named = [&](std::size_t index) {
-    return index < made.images.size() ? std::filesystem::path(made.images[index]).filename().string() : std::string();
-  };
-  result.images.original = named(0);
-  result.images.cached = named(1);
-  result.images.error = named(2);
-  result.images.hit_miss = named(3);
-  result.images.hit_color = kHitColorText;
-  result.images.miss_color = kMissColorText;
-  return {};
+// Pictures are for people: where a variant crashes over them the run stands, with a warning.
+Result<RunEvidence> gatherEvidence(const PictureSubject& in, const Selection& selection, const Validated& validated, RunResult& result) {
+  RunEvidence evidence;
+  evidence.sources = describeSources(in.subject.program);
+  evidence.slices = describeSlices(in.subject.program, in.subject.candidates, evidence.sources);
+  evidence.costs = describeCosts(in.training, in.fitted);
+  std::optional<TradeoffPoint> choice;
+  if (validated.accepted) choice = validated.chosen().point;
+  const auto session = std::find_if(in.subject.scenario.sessions.begin(), in.subject.scenario.sessions.end(),
+                                    [](const SessionSpec& one) { return one.role == SessionRole::kValidation; });
+  if (session == in.subject.scenario.sessions.end()) return evidence;
+  const std::vector<TradeoffPoint> points = pointsToShow(choice, selection, in.fitted, result.threshold.value);
+  if (const Result<void> made = makePictures(in, points, session->name, evidence); !made.ok()) {
+    if (made.error().kind != ErrorKind::kMeasurement) return made.error();
+    result.warnings.push_back("no pictures: " + made.error().message);
+    return evidence;
+  }
+  if (!choice) return evidence;
+  const EvidencePictures& shown = evidence.pictures.front();
+  result.images = {evidence.original, shown.cached, shown.error, shown.hit_miss, evidence.session, evidence.frame, kImageErrorGain,
+                   kHitColorText, kMissColorText};
+  return evidence;
 }
 
-Result<ReportImages> readImages(const RunImages& images, const std::filesystem::path& directory) {
-  ReportImages loaded;
-  const auto load = [&](const std::string& name, std::vector<std::uint8_t>& to) -> Result<void> {
-    if (name.empty()) return {};
-    REPRISE_ASSIGN(const std::string bytes, readFile(directory / name));
-    to.assign(bytes.begin(), bytes.end());
-    return {};
-  };
-  REPRISE_TRY(load(images.original, loaded.original));
-  REPRISE_TRY(load(images.cached, loaded.cached));
-  REPRISE_TRY(load(images.error, loaded.error));
-  REPRISE_TRY(load(images.hit_miss, loaded.hit_miss));
-  return loaded;
+// What the models themselves say against the choice, and what is known to smear before anything is measured.
+void addWarnings(const Subject& subject, const Selection& selection, const FittedTraining& fitted, RunResult& result) {
+  for (const TradeoffPoint& point : selection.pareto) result.front.push_back(describeVariant(fitted.input.configurations[point.configuration], point.period_frames));
+  std::vector<std::string> ids{result.choice.candidate_id};
+  for (const RunVariant& variant : result.front) ids.push_back(variant.candidate_id);
+  for (std::string& warning : smearWarnings(subject, ids)) result.warnings.push_back(std::move(warning));
+  for (std::string& warning : fitWarnings(result)) result.warnings.push_back(std::move(warning));
 }
 
 void describeOriginal(const Training& training, const FittedTraining& fitted, const Selection& selection, const Validated& validated, RunResult& result) {
@@ -295,6 +281,7 @@ Result<RunResult> optimize(const OptimizeArguments& arguments, Progress& progres
     SelectionOptions selecting;
     selecting.threshold = arguments.max_error;
     selecting.shorter_periods = true;
+    result.threshold.margin = selecting.error_margin;
     REPRISE_ASSIGN(selection, select(fitted.input, selecting));
   }
   clock.end("fit and select");
@@ -311,7 +298,8 @@ Result<RunResult> optimize(const OptimizeArguments& arguments, Progress& progres
   if (validated.accepted) describeAccepted(subject, training, fitted, validated.chosen(), result);
   if (!validated.attempts.empty()) result.validation = describeSessions(validated.shown().run, arguments.metric);
   describeOriginal(training, fitted, selection, validated, result);
-  REPRISE_TRY(makeImages(subject, workspace, bench.measuring, training, fitted, validated, result));
+  addWarnings(subject, selection, fitted, result);
+  REPRISE_ASSIGN(const RunEvidence evidence, gatherEvidence({subject, workspace, bench.measuring, training, fitted}, selection, validated, result));
   const std::optional<ChosenVariant> chosen = chosenVariant(subject, training, fitted, validated);
   REPRISE_ASSIGN(const Package package, shippedPackage(subject, chosen ? &*chosen : nullptr));
   REPRISE_TRY(writePackage(package, workspace.packageDir()));                                   // 6 emit
@@ -319,6 +307,7 @@ Result<RunResult> optimize(const OptimizeArguments& arguments, Progress& progres
   result.finished_at = utcNow();
   clock.end("emit and report");
   REPRISE_TRY(writeFile(workspace.root() / "result.json", resultToJson(result)));
+  REPRISE_TRY(writeFile(workspace.root() / "evidence.json", evidenceToJson(evidence)));
   REPRISE_TRY(reportAgain(workspace.root().string()));                                          // 11 report
   return result;
 }
@@ -387,14 +376,6 @@ Result<CommittedCheck> validateCommitted(const CommittedArguments& committed, co
   plan.cpu_clock = device.is_cpu;
   REPRISE_ASSIGN(const ValidationRun run, validateChoice(subject, workspace, bench.measuring, plan, progress));
   return checkCommitted(choice, {run.judgement, run.worst_session_error, run.binding.ratio, device.name}, committed.cost_tolerance);
-}
-
-Result<void> reportAgain(const std::string& directory) {
-  const std::filesystem::path root = directory;
-  REPRISE_ASSIGN(const std::string text, readFile(root / "result.json"));
-  REPRISE_ASSIGN(const RunResult result, resultFromJson(text));
-  REPRISE_ASSIGN(const ReportImages images, readImages(result.images, root / "images"));
-  return writeReport(result, images, root / "report.html");
 }
 
 }  // namespace reprise

@@ -38,7 +38,4 @@ struct CommittedArguments {
 };
 Result<CommittedCheck> validateCommitted(const CommittedArguments& committed, const OptimizeArguments& arguments, Progress& progress);
 
-// The report again from result.json and the images beside it.
-Result<void> reportAgain(const std::string& directory);
-
 }  // namespace reprise

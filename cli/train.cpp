@@ -278,7 +278,7 @@ class Trainer {
         REPRISE_TRY(addEntry(options, errors.candidate, {TimedEntry::Kind::kLimit, errors.candidate, 1}, requests, entries, nullptr));
       }
       options.strategy = strategy;
-      training_.costs.push_back({study, strategy, {}, ""});
+      training_.costs.push_back({study, strategy, {}, {}, ""});
       const std::uint32_t longest = std::max(2u, longestPeriod(errors));
       std::vector<std::uint32_t> periods{2};
       if (longest > 2) periods.push_back(longest);
@@ -290,7 +290,11 @@ class Trainer {
       if (outOfBudget(fmt::format("frame times of {} variants in session '{}'", requests.size(), session))) continue;
       progress_.begin(fmt::format("times: {} x {}", session, requests.size()));
       REPRISE_ASSIGN(const std::vector<TimeSeries> series, measureTimes(measuring_, {session, options_.rounds, false}, requests));
-      for (std::size_t i = 0; i < series.size(); ++i) keepTimes(session, entries[i], series[i]);
+      const std::vector<TimedFrame> paired = fasterReference(entries, series);
+      for (std::size_t i = 0; i < series.size(); ++i) {
+        keepTimes(session, entries[i], series[i]);
+        if (entries[i].kind == TimedEntry::Kind::kVariant) training_.costs[entries[i].target].reference[session] = paired;
+      }
     }
     return {};
   }
@@ -301,6 +305,17 @@ class Trainer {
     return frames;
   }
 
+  std::vector<TimedFrame> fasterReference(const std::vector<TimedEntry>& entries, const std::vector<TimeSeries>& series) const {
+    std::map<double, std::vector<TimedFrame>> by_median;
+    for (std::size_t i = 0; i < series.size(); ++i) {
+      if (entries[i].kind != TimedEntry::Kind::kOriginal && entries[i].kind != TimedEntry::Kind::kPrepass) continue;
+      std::vector<double> times;
+      for (const TimedFrame& frame : timedFrames(series[i])) times.push_back(frame.clock_ms);
+      if (!times.empty()) by_median[medianOf(times)] = timedFrames(series[i]);
+    }
+    return by_median.empty() ? std::vector<TimedFrame>{} : by_median.begin()->second;
+  }
+
   void keepTimes(const std::string& session, const TimedEntry& entry, const TimeSeries& series) {
     const std::vector<TimedFrame> frames = timedFrames(series);
     const auto append = [&](std::vector<TimedFrame>& to) { to.insert(to.end(), frames.begin(), frames.end()); };
@@ -309,11 +324,8 @@ class Trainer {
       case TimedEntry::Kind::kPrepass: append(training_.prepass); break;
       case TimedEntry::Kind::kLimit: append(training_.limits[entry.target]); break;
       case TimedEntry::Kind::kVariant:
-        if (series.failure) {
-          training_.costs[entry.target].failure = series.failure->message;
-        } else {
-          training_.costs[entry.target].frames[entry.period][session] = frames;
-        }
+        if (series.failure) training_.costs[entry.target].failure = series.failure->message;
+        else training_.costs[entry.target].frames[entry.period][session] = frames;
         break;
     }
   }

@@ -29,6 +29,8 @@ struct CostStudy {
   std::size_t error_study = 0;  // index into Training::errors
   std::string strategy;
   std::map<std::uint32_t, std::map<std::string, std::vector<TimedFrame>>> frames;  // by period, then session
+  // By session: the faster of the original and the original with a prepass in the same rounds.
+  std::map<std::string, std::vector<TimedFrame>> reference = {};
   std::string failure;
 };
 

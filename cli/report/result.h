@@ -49,6 +49,7 @@ struct RunScenario {
 struct RunThreshold {
   std::string metric = "rms";
   double value = 0;
+  std::optional<double> margin;  // share of the value that selection keeps free for what training has not seen
   bool operator==(const RunThreshold&) const = default;
 };
 
@@ -123,6 +124,11 @@ struct RunPoint {
   std::uint32_t period_frames = 1;
   std::optional<double> predicted_error, measured_error;
   std::optional<double> predicted_frame_ms, measured_frame_ms;
+  std::optional<RunInterval> predicted_error_ci95;    // of the error model
+  std::optional<RunInterval> measured_error_frames;   // what the errors of single frames lie in, but for 2.5% at each end
+  std::optional<RunInterval> measured_frame_ms_ci95;  // of the median, by order statistics
+  std::optional<double> predicted_hit_rate, measured_speedup;  // the latter of paired rounds in training
+  std::optional<RunInterval> speedup_ci95;
   bool operator==(const RunPoint&) const = default;
 };
 
@@ -135,6 +141,7 @@ struct RunConfiguration {
   std::optional<double> cost_r_squared;
   std::string cost_verdict;
   std::vector<RunPoint> points;  // by ascending period, never last
+  std::optional<double> cache_bytes_per_pixel;
   bool operator==(const RunConfiguration&) const = default;
 };
 
@@ -153,7 +160,16 @@ struct RunCandidate {
   std::optional<RunErrorModel> error_model;
   std::optional<double> hit_rate_mu;  // of λ(n) = μ(1 − 1/n)
   std::vector<RunConfiguration> configurations;
+  std::optional<double> limit_frame_ms;  // of its tail alone, in training
   bool operator==(const RunCandidate&) const = default;
+};
+
+// Names one point: a configuration of a candidate, at a period.
+struct RunVariant {
+  std::string candidate_id, strategy, pattern, filter, encoding;
+  std::uint32_t block_pixels = 0;
+  std::uint32_t period_frames = 1;
+  bool operator==(const RunVariant&) const = default;
 };
 
 // A variant that selection took to validation, in the order tried.
@@ -211,6 +227,7 @@ struct RunResult {
   RunOriginal original;
   RunLimit limit;
   std::vector<RunCandidate> candidates;  // all, in the order of their rank
+  std::vector<RunVariant> front;  // predicted Pareto front of error and time, by ascending error
   std::vector<RunAttempt> attempts;
   std::vector<RunSession> validation;
   std::vector<std::string> warnings;

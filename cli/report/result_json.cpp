@@ -33,7 +33,7 @@ void fields(A& a, RunScenario& s) {
 }
 template <class A>
 void fields(A& a, RunThreshold& t) {
-  a("metric", t.metric), a("value", t.value);
+  a("metric", t.metric), a("value", t.value), a.later("margin", t.margin);
 }
 template <class A>
 void fields(A& a, RunPayloadValue& v) {
@@ -83,6 +83,9 @@ void fields(A& a, RunPoint& p) {
   a.period("period_frames", p.period_frames);
   a("predicted_error", p.predicted_error), a("measured_error", p.measured_error);
   a("predicted_frame_ms", p.predicted_frame_ms), a("measured_frame_ms", p.measured_frame_ms);
+  a.later("predicted_error_ci95", p.predicted_error_ci95), a.later("measured_error_frames", p.measured_error_frames);
+  a.later("measured_frame_ms_ci95", p.measured_frame_ms_ci95), a.later("predicted_hit_rate", p.predicted_hit_rate);
+  a.later("measured_speedup", p.measured_speedup), a.later("speedup_ci95", p.speedup_ci95);
 }
 template <class A>
 void fields(A& a, RunConfiguration& c) {
@@ -90,6 +93,7 @@ void fields(A& a, RunConfiguration& c) {
   a("filter", c.filter), a("encoding", c.encoding);
   a("hit_ns", c.hit_ns), a("miss_ns", c.miss_ns), a("overhead_ms", c.overhead_ms);
   a("cost_r_squared", c.cost_r_squared), a("cost_verdict", c.cost_verdict), a("points", c.points);
+  a.later("cache_bytes_per_pixel", c.cache_bytes_per_pixel);
 }
 template <class A>
 void fields(A& a, RunCandidate& c) {
@@ -99,6 +103,13 @@ void fields(A& a, RunCandidate& c) {
   a.name("status", c.status, kStatusNames);
   a("reason", c.reason), a("error_model", c.error_model), a("hit_rate_mu", c.hit_rate_mu);
   a("configurations", c.configurations);
+  a.later("limit_frame_ms", c.limit_frame_ms);
+}
+template <class A>
+void fields(A& a, RunVariant& v) {
+  a("candidate_id", v.candidate_id), a("strategy", v.strategy), a("pattern", v.pattern), a("block_pixels", v.block_pixels);
+  a("filter", v.filter), a("encoding", v.encoding);
+  a.period("period_frames", v.period_frames);
 }
 template <class A>
 void fields(A& a, RunAttempt& t) {
@@ -128,7 +139,7 @@ void fields(A& a, RunResult& r) {
   a("tool_version", r.tool_version), a.textOrNull("finished_at", r.finished_at);
   a("device", r.device), a("clock", r.clock), a("shader", r.shader), a("scenario", r.scenario);
   a("threshold", r.threshold), a("choice", r.choice), a("original", r.original), a("limit", r.limit);
-  a("candidates", r.candidates), a("attempts", r.attempts), a("validation", r.validation);
+  a("candidates", r.candidates), a.later("front", r.front), a("attempts", r.attempts), a("validation", r.validation);
   a("warnings", r.warnings), a("not_reached", r.not_reached), a.stages("seconds", r.seconds);
   a("images", r.images), a("command", r.command);
 }
@@ -138,6 +149,10 @@ class Writer {
   template <class T>
   void operator()(const char* key, T& member) {
     json_[key] = write(member);
+  }
+  template <class T>
+  void later(const char* key, T& member) {
+    (*this)(key, member);
   }
   template <class E, class Names>
   void name(const char* key, E value, const Names& names) {
@@ -200,6 +215,11 @@ class Reader {
   template <class T>
   void operator()(const char* key, T& member) {
     if (const Json* value = find(key)) read(*value, at(key), member);
+  }
+  // A key that files of older versions lack.
+  template <class T>
+  void later(const char* key, T& member) {
+    if (json_.contains(key)) (*this)(key, member);
   }
   template <class E, class Names>
   void name(const char* key, E& member, const Names& names) {

@@ -21,6 +21,11 @@ std::string summaryText(const RunResult& result);
 // The same outcome as a GitHub-flavoured Markdown table, with the sentence above and the machine below it.
 std::string summaryMarkdown(const RunResult& result);
 
+// Every point of every configuration as a spreadsheet: RFC 4180 with a line of headers, empty cells for what was not measured.
+std::string pointsCsv(const RunResult& result);
+
+// Nine significant digits; empty if not finite.
+std::string formatPrecise(double value);
 // "2.71", "0.0142", "13.1": three significant digits, no exponent from 1e-4 to 1e7; "n/a" if not finite.
 std::string formatNumber(double value);
 // A number that the user gave, with the digits that it has: "0.02".

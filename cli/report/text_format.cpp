@@ -55,6 +55,13 @@ std::string formatGiven(double value) {
   return text;
 }
 
+std::string formatPrecise(double value) {
+  if (!std::isfinite(value)) return "";
+  char text[40];
+  std::snprintf(text, sizeof text, "%.9g", value);
+  return text;
+}
+
 std::string formatPeriod(std::uint32_t period_frames) {
   return period_frames == kNeverRefresh ? "never" : std::to_string(period_frames);
 }

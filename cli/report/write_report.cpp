@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/report/embedded_picture.h"
 #include "cli/report/page_text.h"
 #include "cli/report/text.h"
 #include "runtime/base/check.h"
@@ -14,22 +15,51 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string base64(const std::vector<std::uint8_t>& bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t at = 0; at < bytes.size(); at += 3) {
-    std::uint32_t group = 0;
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - at);
-    for (std::size_t i = 0; i < 3; ++i) group = group << 8 | (i < count ? bytes[at + i] : 0u);
-    for (std::size_t i = 0; i < 4; ++i) text += i <= count ? kDigits[group >> (18 - 6 * i) & 63] : '=';
-  }
-  return text;
-}
+constexpr std::size_t kMostPngBytes = 3'000'000;
+constexpr int kMostWidth = 1280, kStripWidth = 320;  // pixels
+constexpr int kQuality = 88, kStripQuality = 80;
+constexpr std::size_t kTextReserve = 400'000;  // for what else the page holds
 
-Json dataUri(const std::vector<std::uint8_t>& png) {
-  return png.empty() ? Json(nullptr) : Json("data:image/png;base64," + base64(png));
-}
+Json dataUri(const std::vector<std::uint8_t>& png) { return png.empty() ? Json(nullptr) : Json(pngDataUri(png)); }
+
+// Pictures of the evidence by name. The strip is small and comes first, so that large pictures cannot crowd it out.
+class PictureShelf {
+ public:
+  PictureShelf(const ReportEvidence& evidence, std::size_t room) : evidence_(evidence), room_(room) {
+    for (const EvidenceFrame& frame : evidence.evidence.strip)
+      for (const std::string& name : {frame.original, frame.cached}) add(name, jpeg(name, kStripWidth, kStripQuality));
+    addLarge(evidence.evidence.original);
+    for (const EvidencePictures& one : evidence.evidence.pictures)
+      for (const std::string& name : {one.cached, one.error, one.hit_miss, one.payload}) addLarge(name);
+  }
+  Json take() { return std::move(shelf_); }
+
+ private:
+  void addLarge(const std::string& name) {
+    const auto file = evidence_.files.find(name);
+    if (file == evidence_.files.end()) return;
+    const std::size_t size = file->second.size() * 4 / 3;
+    if (as_png_ + size <= kMostPngBytes && size + kTextReserve <= room_) {
+      as_png_ += size;
+      return add(name, pngDataUri(file->second));
+    }
+    add(name, jpeg(name, kMostWidth, kQuality));
+  }
+  std::optional<std::string> jpeg(const std::string& name, int most_width, int quality) const {
+    const auto file = evidence_.files.find(name);
+    return file == evidence_.files.end() ? std::nullopt : jpegDataUri(file->second, most_width, quality);
+  }
+  void add(const std::string& name, const std::optional<std::string>& uri) {
+    if (!uri || uri->size() + kTextReserve > room_ || shelf_.contains(name)) return;
+    room_ -= uri->size();
+    shelf_[name] = *uri;
+  }
+
+  const ReportEvidence& evidence_;
+  std::size_t room_;
+  std::size_t as_png_ = 0;
+  Json shelf_ = Json::object();
+};
 
 // JSON may stand in a script element once it has no '<': neither "</script" nor "<!--" can then end or change
 // it.
@@ -62,25 +92,32 @@ std::string escapedText(const std::string& text) {
   return escaped;
 }
 
-std::string dataBlock(const RunResult& result, const ReportImages& images) {
+std::string dataBlock(const RunResult& result, const ReportImages& images, const std::optional<ReportEvidence>& evidence) {
   Json block;
   block["headline"] = choiceSentence(result);
   block["result"] = Json::parse(resultToJson(result));
-  block["images"] = {{"original", dataUri(images.original)},
-                     {"cached", dataUri(images.cached)},
-                     {"error", dataUri(images.error)},
-                     {"hit_miss", dataUri(images.hit_miss)}};
+  block["evidence"] = evidence ? Json::parse(evidenceToJson(evidence->evidence)) : Json(nullptr);
+  // The evidence has the same pictures.
+  const bool has_pictures = evidence && !evidence->evidence.pictures.empty();
+  const ReportImages none;
+  const ReportImages& embedded = has_pictures ? none : images;
+  block["images"] = {{"original", dataUri(embedded.original)},
+                     {"cached", dataUri(embedded.cached)},
+                     {"error", dataUri(embedded.error)},
+                     {"hit_miss", dataUri(embedded.hit_miss)}};
+  const std::size_t used = block.dump(-1, ' ', false, Json::error_handler_t::replace).size();
+  block["pictures"] = evidence ? PictureShelf(*evidence, used < kMostPageBytes ? kMostPageBytes - used : 0).take() : Json::object();
   return withoutTags(block.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace
 
-std::string reportHtml(const RunResult& result, const ReportImages& images) {
+std::string reportHtml(const RunResult& result, const ReportImages& images, const std::optional<ReportEvidence>& evidence) {
   const std::pair<std::string_view, std::string> places[] = {
       {"@TITLE@", escapedText(printable(result.scenario.name))},
       {"@STYLE@", kPageCss},
       {"@SUMMARY@", escapedText(summaryText(result))},
-      {"@DATA@", dataBlock(result, images)},
+      {"@DATA@", dataBlock(result, images, evidence)},
       {"@SCRIPT@", kPageJs},
   };
   // One walk through the template: what is filled in is never searched for places.
@@ -98,9 +135,9 @@ std::string reportHtml(const RunResult& result, const ReportImages& images) {
   return html;
 }
 
-Result<void> writeReport(const RunResult& result, const ReportImages& images,
+Result<void> writeReport(const RunResult& result, const ReportImages& images, const std::optional<ReportEvidence>& evidence,
                          const std::filesystem::path& html) {
-  return writeFile(html, reportHtml(result, images));
+  return writeFile(html, reportHtml(result, images, evidence));
 }
 
 }  // namespace reprise

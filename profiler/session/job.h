@@ -44,6 +44,7 @@ struct Job {
   std::string device;                       // name or index as `reprise devices` prints it; empty: the first
   int image_frame = 0;                      // kImages
   std::string image_dir;
+  std::vector<int> strip_frames;            // kImages: further frames of the original and the first entry, ascending
   double fence_timeout_s = 20;
   std::string run_id;
   bool operator==(const Job&) const = default;
@@ -66,7 +67,7 @@ struct JobResult {
   std::vector<std::vector<TimeRow>> times;       // by entry; times[e][r] of round r
   std::vector<ProbeResult> probes;               // by entry
   // kImages: paths written: original.png, then per entry cached, error (kImageErrorGain times the difference), hit_miss and payload.
-  // An entry that does not count, or has no cache, lacks the last ones.
+  // An entry that does not count, or has no cache, lacks the last ones. strip_N_original and strip_N_cached as frame N is reached.
   std::vector<std::string> images;
 };
 

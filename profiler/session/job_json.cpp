@@ -10,7 +10,7 @@ using nlohmann::json;
 NLOHMANN_JSON_SERIALIZE_ENUM(JobKind, {{JobKind::kErrors, "errors"}, {JobKind::kTimes, "times"}, {JobKind::kProbe, "probe"}, {JobKind::kImages, "images"}})
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(JobEntry, package_dir, period_frames)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Job, kind, scenario_path, session, original_dir, entries, metrics, frames, rounds, warmup_frames, width,
-                                   height, device, image_frame, image_dir, fence_timeout_s, run_id)
+                                   height, device, image_frame, image_dir, strip_frames, fence_timeout_s, run_id)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimeRow, run_id, pair, frame, gpu_ms, wall_ms, cpu_ms)
 
 namespace {

@@ -55,19 +55,27 @@ class ImageRun {
     result_ = emptyResult(stage_);
     REPRISE_ASSIGN(Player original, createOriginalPlayer(stage_));
     REPRISE_ASSIGN(std::deque<Player> players, createPlayers(stage_));
-    for (int frame = 0; frame <= job_.image_frame; ++frame) {
+    const int last_frame = job_.strip_frames.empty() ? job_.image_frame : std::max(job_.image_frame, job_.strip_frames.back());
+    for (int frame = 0; frame <= last_frame; ++frame) {
       stage_.renderer->setFrame(*stage_.session, evaluateFrame(stage_.scenario, *stage_.session, frame));
-      const bool last = frame == job_.image_frame;
-      if (last) {
+      const bool shown = frame == job_.image_frame;
+      const bool in_strip = std::binary_search(job_.strip_frames.begin(), job_.strip_frames.end(), frame);
+      const std::string strip = "strip_" + std::to_string(frame);
+      if (shown || in_strip) {
         REPRISE_TRY(render(original, 1));
         REPRISE_ASSIGN(original_, display());
-        REPRISE_TRY(write(original_, "original"));
+        if (shown) REPRISE_TRY(write(original_, "original"));
+        if (in_strip) REPRISE_TRY(write(original_, strip + "_original"));
       }
       for (std::size_t entry = 0; entry < players.size(); ++entry) {
         REPRISE_TRY(render(players[entry], job_.entries[entry].period_frames));
-        if (last) REPRISE_TRY(writeEntry(players[entry], players.size() == 1 ? "" : "_" + std::to_string(entry)));
+        if (shown) REPRISE_TRY(writeEntry(players[entry], players.size() == 1 ? "" : "_" + std::to_string(entry)));
+        if (in_strip && entry == 0) {
+          REPRISE_ASSIGN(const DisplayImage cached, display());
+          REPRISE_TRY(write(cached, strip + "_cached"));
+        }
       }
-      if (progress) progress({frame + 1, job_.image_frame + 1});
+      if (progress) progress({frame + 1, last_frame + 1});
     }
     return std::move(result_);
   }

@@ -1,11 +1,13 @@
 // Opens reports in headless Chromium: no error on the console, every section drawn.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 
 #include "cli/report/write_report.h"
@@ -42,10 +44,10 @@ class ReportInBrowser : public testing::Test {
   };
 
   // The document after its scripts and `then` have run, and what they wrote to the console.
-  Page open(const RunResult& run, const ReportImages& images, const std::string& then = "") {
+  Page open(const RunResult& run, const ReportImages& images, const std::string& then = "", const std::optional<ReportEvidence>& evidence = {}) {
     const std::filesystem::path page_file = folder_ / "report.html", dom_file = folder_ / "dom",
                                 log_file = folder_ / "log";
-    std::string html = reportHtml(run, images);
+    std::string html = reportHtml(run, images, evidence);
     const std::size_t end_of_script = html.rfind("</script>");
     EXPECT_NE(end_of_script, std::string::npos);
     html.insert(end_of_script, then + "\n");
@@ -127,6 +129,66 @@ TEST_F(ReportInBrowser, GivesFiguresUnderThePointerAndUnfoldsCandidates) {
   EXPECT_EQ(body.find("class=\"choice-ring\" cx=\"11\""),
             body.rfind("class=\"choice-ring\""));  // in the legend only
   EXPECT_NE(body.find("scale(4)"), std::string::npos);
+}
+
+const RunPoint& pointOf(const RunResult& run, const RunVariant& variant) {
+  for (const RunCandidate& candidate : run.candidates)
+    if (candidate.id == variant.candidate_id)
+      for (const RunPoint& point : candidate.configurations.front().points)
+        if (point.period_frames == variant.period_frames) return point;
+  throw std::logic_error("no such point: " + variant.candidate_id);
+}
+
+// The figure of a tile as the page holds it: data-name="..." data-value="...".
+double tileOf(const std::string& body, const std::string& name) {
+  const std::string start = "data-name=\"" + name + "\" data-value=\"";
+  const std::size_t at = body.find(start);
+  return at == std::string::npos ? std::nan("") : std::stod(body.substr(at + start.size()));
+}
+
+// The slider on the stop of the front's i-th point, by its threshold. It has steps, so the one that shows the point is looked for.
+std::string slideTo(const std::string& name) {
+  return "{ const s = document.getElementById('threshold'); for (let i = 0; i <= Number(s.max); ++i) { s.value = i;"
+         " s.dispatchEvent(new Event('input')); if (document.querySelector('#pick b').textContent === '" + name + "') break; } }";
+}
+
+TEST_F(ReportInBrowser, ShowsWhatTheResultSaysAtEachStopOfTheThreshold) {
+  const RunResult run = sample::manyCandidatesRun();
+  const ReportEvidence evidence = sample::evidenceOf(run);
+  const Page at_choice = open(run, {}, "", evidence);
+  EXPECT_EQ(at_choice.console, "");
+  EXPECT_DOUBLE_EQ(tileOf(bodyOf(at_choice.dom), "speedup"), *run.choice.measured_speedup);
+  EXPECT_DOUBLE_EQ(tileOf(bodyOf(at_choice.dom), "error"), *run.choice.measured_error);
+  EXPECT_DOUBLE_EQ(tileOf(bodyOf(at_choice.dom), "cache"), *run.choice.cache_bytes_per_pixel);
+  const RunVariant& last = run.front.back();
+  const RunPoint& point = pointOf(run, last);
+  const Page page = open(run, {}, slideTo("value_39"), evidence);
+  EXPECT_EQ(page.console, "");
+  const std::string body = bodyOf(page.dom);
+  EXPECT_NE(body.find("from training, not validated"), std::string::npos);
+  EXPECT_DOUBLE_EQ(tileOf(body, "error"), point.measured_error.value_or(*point.predicted_error));
+  EXPECT_DOUBLE_EQ(tileOf(body, "frame_ms"), point.measured_frame_ms.value_or(*point.predicted_frame_ms));
+  EXPECT_EQ(body.find("could not be drawn"), std::string::npos);
+}
+
+TEST_F(ReportInBrowser, HoldsACandidateFromTheMarginEverywhere) {
+  const RunResult run = sample::manyCandidatesRun();
+  const Page page = open(run, {}, R"js(
+    document.querySelector('button.marker[data-id="many20"]').click();
+    const wipe = document.getElementById('images-wipe');
+    wipe.value = 250;
+    wipe.dispatchEvent(new Event('input'));
+    document.querySelector('.thumb[data-frame="16"]').click();
+  )js", sample::evidenceOf(run));
+  EXPECT_EQ(page.console, "");
+  const std::string body = bodyOf(page.dom);
+  EXPECT_NE(body.find("curve other held"), std::string::npos);
+  EXPECT_NE(body.find("class=\"marker held\" data-id=\"many20\""), std::string::npos);
+  EXPECT_NE(body.find("Held: value_20"), std::string::npos);
+  EXPECT_NE(body.find("class=\"cut-slice\""), std::string::npos);
+  EXPECT_NE(body.find("// &lt;/script&gt;&lt;b&gt;"), std::string::npos);
+  EXPECT_NE(body.find("thumb shown"), std::string::npos);
+  EXPECT_LT(page.dom.size(), kMostPageBytes);
 }
 
 // Without this, a console that nobody hears would let every test above pass.

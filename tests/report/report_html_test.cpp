@@ -81,10 +81,10 @@ TEST(ReportHtml, IsWrittenWholeOrNotAtAll) {
   const std::filesystem::path folder = std::filesystem::temp_directory_path() / "reprise_report_html_test";
   std::filesystem::remove_all(folder);
   const RunResult run = sample::variantRun();
-  const Result<void> written = writeReport(run, {}, folder / "report.html");
+  const Result<void> written = writeReport(run, {}, {}, folder / "report.html");
   ASSERT_TRUE(written.ok()) << formatError(written.error());
   EXPECT_EQ(readFile(folder / "report.html").value(), reportHtml(run, {}));
-  const Result<void> failed = writeReport(run, {}, folder / "report.html" / "below_a_file.html");
+  const Result<void> failed = writeReport(run, {}, {}, folder / "report.html" / "below_a_file.html");
   ASSERT_FALSE(failed.ok());
   EXPECT_EQ(failed.error().code, "file.unwritable");
   std::filesystem::remove_all(folder);

@@ -15,6 +15,12 @@ RunResult emptyRun();     // stopped before anything was found: every list empty
 // from a file.
 RunResult hostileRun();
 
+// Forty candidates, each trained in one configuration, with a front over several of them.
+RunResult manyCandidatesRun();
+
+// Source, cuts, cost samples and pictures that go with a run.
+ReportEvidence evidenceOf(const RunResult& run);
+
 // Small pictures of a marbled ball.
 ReportImages pictures();
 

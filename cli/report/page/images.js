@@ -1,32 +1,124 @@
-// The frame as original, cached, error and hits. A click magnifies all of them around the same pixel.
+// The frame as original, cached, error, hits and payload, of what the slider picks and of the candidate that is held. A wipe goes from
+// original to cached; a click magnifies all images around the same pixel.
 
 const kZoom = 4;
 
-function drawImages(run) {
-  const gain = run.images.error_gain;
-  const kinds = [
-    { key: 'original', title: 'Original', note: 'every pixel shaded' },
-    { key: 'cached', title: 'Cached', note: run.isVariant ? `${run.choice.payload.map((value) => value.name).join(', ')} from the cache` : '' },
-    { key: 'error', title: 'Error', note: `|cached − original|${gain === 1 ? '' : `, ${formatTick(gain)} times amplified`}` },
-    { key: 'hit_miss', title: 'Hits and misses', note: hitLegend(run) },
-  ].filter((kind) => run.pictures[kind.key]);
-  if (!kinds.length) return hide('images');
-  const where = run.images.session ? `Frame ${run.images.frame} of session ${run.images.session}. ` : '';
-  byId('images-note').textContent = `${where}Click to look at pixels, all images at the same place; move to pan.`;
+function drawImages(run, view) {
+  const none = !run.pictures.original && !Object.keys(run.shelf).length;
+  if (none) return hide('images');
+  drawStrip(run, view);
+  view.onChange(() => {
+    view.stripFrame = null;
+    showImages(run, view);
+  });
+}
+
+// The pictures nearest to a point: the point itself, its configuration at another period, its candidate in another configuration.
+function picturesOf(run, candidate, configuration, period) {
+  if (!run.evidence || !candidate) return null;
+  const own = run.evidence.pictures.filter((one) => one.variant.candidate_id === candidate.id);
+  const same = own.filter((one) => configuration && matchesVariant(one.variant, candidate, configuration));
+  const found = same.find((one) => one.variant.period_frames === period) || same[0] || own[0];
+  if (!found || !run.shelf[found.cached]) return null;
+  const of = (name) => run.shelf[name] || null;
+  return {
+    original: of(run.evidence.original), cached: of(found.cached), error: of(found.error), hit_miss: of(found.hit_miss), payload: of(found.payload),
+    variant: found.variant, exact: found.variant.period_frames === period && same.includes(found), frame: run.evidence.frame, session: run.evidence.session,
+  };
+}
+
+function picturesOfPick(run, view) {
+  const { pick } = view;
+  if (pick.kind === 'original' && !run.isVariant) return null;
+  const found = picturesOf(run, pick.candidate, pick.configuration, pick.period);
+  if (found) return found;
+  if (pick.kind !== 'choice' || !run.pictures.cached) return null;
+  return { ...run.pictures, payload: null, variant: run.choice, exact: true, frame: run.images.frame, session: run.images.session };
+}
+
+function showImages(run, view) {
   const grid = byId('images-grid');
-  grid.append(...kinds.map((kind) => html('figure', {},
-    html('button', { class: 'view', type: 'button', 'aria-label': `Magnify ${kind.title}` },
-      html('img', { src: run.pictures[kind.key], alt: `${kind.title} of frame ${run.images.frame}`, width: run.scenario.width, height: run.scenario.height })),
-    html('figcaption', {}, html('b', {}, kind.title), ' ', kind.note))));
+  grid.replaceChildren();
+  grid.classList.remove('zoomed');
+  const pictures = picturesOfPick(run, view);
+  const held = view.held && picturesOf(run, view.held, view.held.leader && view.held.leader.configuration, undefined);
+  byId('images-note').textContent = imagesNote(run, view, pictures);
+  if (pictures) grid.append(wipe(pictures.original, pictures.cached, 'images-wipe'), ...panels(run, pictures));
+  else if (run.evidence && run.shelf[run.evidence.original]) grid.append(figure(run, run.shelf[run.evidence.original], 'Original', 'every pixel shaded'));
+  if (held && held.variant !== (pictures && pictures.variant)) {
+    grid.append(html('p', { class: 'images-held' }, html('span', { class: 'swatch', color: view.held.color }), html('b', {}, `Held: ${view.held.name || view.held.id}`),
+      ` ${formatVariant(held.variant)}, ${formatPeriodLong(held.variant.period_frames)}`));
+    grid.append(wipe(held.original, held.cached, 'held-wipe'), ...panels(run, held));
+  } else if (view.held && !held) {
+    grid.append(html('p', { class: 'images-held sub' }, `No pictures were rendered of ${view.held.name || view.held.id}.`));
+  }
   addZoom(grid);
+}
+
+function imagesNote(run, view, pictures) {
+  if (!pictures) return view.pick.kind === 'original' ? 'At this threshold the original is played.' : 'No pictures were rendered of this point.';
+  const other = pictures.exact ? '' : ` Rendered at ${formatVariant(pictures.variant)}, ${formatPeriodLong(pictures.variant.period_frames)}: the nearest to what the slider picks.`;
+  return `Frame ${pictures.frame} of session ${pictures.session}.${other} Pull the line from original (left) to cached (right). Click an image to look at pixels, all at the same place.`;
+}
+
+function panels(run, pictures) {
+  const gain = run.images.error_gain > 1 ? run.images.error_gain : 8;
+  return [
+    pictures.error && figure(run, pictures.error, 'Error', `|cached − original|, ${formatTick(gain)} times amplified`),
+    pictures.hit_miss && figure(run, pictures.hit_miss, 'Hits and misses', hitLegend(run)),
+    pictures.payload && figure(run, pictures.payload, 'Payload', 'each channel over its range in this frame'),
+  ].filter(Boolean);
+}
+
+const figure = (run, source, title, note) => html('figure', {},
+  html('button', { class: 'view', type: 'button', 'aria-label': `Magnify ${title}` }, html('img', { src: source, alt: title, width: run.scenario.width || null, height: run.scenario.height || null })),
+  html('figcaption', {}, html('b', {}, title), ' ', note));
+
+// Two images on one another; the upper one is cut off left of the line.
+function wipe(original, cached, id) {
+  const upper = html('div', { class: 'wipe-upper' }, html('img', { src: cached, alt: 'Cached' }));
+  const line = html('div', { class: 'wipe-line' });
+  const slider = html('input', { type: 'range', min: 0, max: 1000, value: 500, id, 'aria-label': 'wipe between original and cached' });
+  const apply = () => {
+    const share = Number(slider.value) / 10;
+    upper.style.clipPath = `inset(0 0 0 ${share}%)`;
+    line.style.left = `${share}%`;
+  };
+  slider.addEventListener('input', apply);
+  apply();
+  return html('figure', { class: 'wipe' },
+    html('div', { class: 'wipe-box' }, html('img', { src: original, alt: 'Original' }), upper, line, html('span', { class: 'wipe-left' }, 'original'), html('span', { class: 'wipe-right' }, 'cached'), slider));
+}
+
+// Frames through the validation session with the choice; a click shows that frame in the wipe.
+function drawStrip(run, view) {
+  const frames = run.evidence ? run.evidence.strip.filter((frame) => run.shelf[frame.cached] && run.shelf[frame.original]) : [];
+  if (!frames.length) return hide('strip');
+  const session = run.validation.find((one) => one.name === run.evidence.session);
+  const figuresOf = (frame) => {
+    const row = session && session.frames.find((one) => one.frame === frame.frame);
+    return row ? `error ${formatNumber(row.error)}${isNumber(row.hit_rate) ? `, hits ${formatPercent(row.hit_rate)}` : ''}` : '';
+  };
+  byId('strip').append(html('h3', {}, `Through session ${run.evidence.session}`), html('div', { class: 'thumbs' }, frames.map((frame) => {
+    const button = html('button', { type: 'button', class: 'thumb', 'data-frame': frame.frame, 'aria-label': `show frame ${frame.frame}` },
+      html('img', { src: run.shelf[frame.cached], alt: '' }), html('span', {}, `frame ${frame.frame}`), html('span', { class: 'sub' }, figuresOf(frame)));
+    button.addEventListener('click', () => {
+      const figure = byId('images-grid').querySelector('.wipe');
+      if (!figure) return;
+      figure.replaceWith(wipe(run.shelf[frame.original], run.shelf[frame.cached], 'images-wipe'));
+      byId('images-note').textContent = `Wipe: frame ${frame.frame} of session ${run.evidence.session}, reduced in size. ${figuresOf(frame)}. Move the threshold or click a point to come back.`;
+      for (const other of byId('strip').querySelectorAll('.thumb')) other.classList.toggle('shown', other === button);
+    });
+    return button;
+  })));
+  view.onChange(() => byId('strip').querySelectorAll('.thumb').forEach((thumb) => thumb.classList.remove('shown')));
 }
 
 function hitLegend(run) {
   const isColor = (text) => /^#[0-9a-f]{6}$/i.test(text || '');
-  const { hit_color: hit, miss_color: miss } = run.images;
-  const rate = isNumber(run.choice.hit_rate) ? `${formatPercent(run.choice.hit_rate)} of covered pixels hit over the validation` : '';
-  if (!isColor(hit) || !isColor(miss)) return rate;
-  return html('span', {}, html('i', { class: 'swatch', color: hit }), 'hit ', html('i', { class: 'swatch second', color: miss }), `miss${rate ? `; ${rate}` : ''}`);
+  const hit = isColor(run.images.hit_color) ? run.images.hit_color : '#2a9d4b';
+  const miss = isColor(run.images.miss_color) ? run.images.miss_color : '#d1495b';
+  return html('span', {}, html('i', { class: 'swatch', color: hit }), 'hit ', html('i', { class: 'swatch second', color: miss }), 'miss');
 }
 
 function addZoom(grid) {

@@ -7,11 +7,14 @@ function readRun() {
   const run = block.result;
   run.headline = block.headline;
   run.pictures = block.images;
+  run.evidence = block.evidence || null;
+  run.shelf = block.pictures || {};
   run.isVariant = run.choice.kind === 'variant';
   const originals = [run.original.frame_ms, run.original.with_prepass_ms].filter(isNumber);
   run.baseline_ms = originals.length ? Math.min(...originals) : null;
   run.curves = makeCurves(run);
   emphasise(run);
+  run.frontPoints = frontPoints(run);
   return run;
 }
 
@@ -34,6 +37,26 @@ function makeCurves(run) {
     }
   }
   return curves;
+}
+
+const matchesVariant = (variant, candidate, configuration) => variant.candidate_id === candidate.id &&
+  ['strategy', 'pattern', 'block_pixels', 'filter', 'encoding'].every((key) => configuration[key] === variant[key]);
+
+// The predicted Pareto front as result.json has it; of a run that does not say, by the same rule.
+function frontPoints(run) {
+  const all = run.candidates.flatMap((candidate) => candidate.configurations.flatMap((configuration) => configuration.points
+    .filter((point) => isNumber(point.predicted_error) && isNumber(point.predicted_frame_ms) && point.period_frames !== 1)
+    .map((point) => ({ candidate, configuration, point }))));
+  if (run.front && run.front.length) {
+    return run.front.map((variant) => all.find(({ candidate, configuration, point }) =>
+      matchesVariant(variant, candidate, configuration) && point.period_frames === variant.period_frames)).filter(Boolean);
+  }
+  all.sort((a, b) => a.point.predicted_error - b.point.predicted_error || a.point.predicted_frame_ms - b.point.predicted_frame_ms);
+  const front = [];
+  for (const one of all) {
+    if (!front.length || one.point.predicted_frame_ms < front[front.length - 1].point.predicted_frame_ms) front.push(one);
+  }
+  return front;
 }
 
 // The fastest point under the threshold; null if there is none. Period 1 reuses nothing and does not count.

@@ -6,12 +6,13 @@ function hide(id) {
 
 function drawPage() {
   const run = readRun();
+  const view = makeView(run);
   byId('report').hidden = false;
-  const sections = [drawHead, drawTiles, drawAlerts, drawTradeoff, drawImages, drawTimes, drawPrediction, drawValidation, drawAttempts,
+  const sections = [drawHead, drawSlider, drawPick, drawTiles, drawAlerts, drawTradeoff, drawFits, drawSource, drawImages, drawTimes, drawPrediction, drawValidation, drawAttempts,
     drawCandidates, drawFacts, drawStages];
   for (const draw of sections) {
     try {
-      draw(run);
+      draw(run, view);
     } catch (problem) {
       console.error(`${draw.name}: ${problem.stack || problem}`);
       byId('alerts').append(html('div', { class: 'alert' }, `Part of this report could not be drawn (${draw.name}: ${problem.message}). The figures are in result.json.`));

@@ -6,39 +6,58 @@ function drawHead(run) {
   byId('because').textContent = run.isVariant ? run.choice.reason : '';
 }
 
-function tile(label, value, detail, meter) {
+// `name` and `value` let a script read the figure back.
+function tile(name, label, value, shown, detail, meter) {
   const bar = meter === undefined ? null : html('div', { class: `meter${meter > 1 ? ' over' : ''}`, 'aria-hidden': 'true' }, html('span'));
   if (bar) bar.firstChild.style.width = `${Math.min(100, 100 * meter)}%`;
-  return html('div', { class: 'tile' }, html('div', { class: 'label' }, label), html('div', { class: 'value' }, value), bar, html('div', { class: 'detail' }, detail));
+  return html('div', { class: 'tile', 'data-name': name, 'data-value': isNumber(value) ? value : '' },
+    html('div', { class: 'label' }, label), html('div', { class: 'value' }, shown), bar, html('div', { class: 'detail' }, detail));
 }
 
 const withUnit = (value, unit) => [formatNumber(value), html('small', {}, unit)];
 
-function drawTiles(run) {
-  const { choice, original, limit, scenario, threshold } = run;
-  const tiles = byId('tiles');
-  if (!run.isVariant) {
-    const tried = run.attempts.filter((attempt) => isNumber(attempt.measured_speedup));
-    const fastest = tried.reduce((best, attempt) => (!best || attempt.measured_speedup > best.measured_speedup ? attempt : best), null);
-    if (isNumber(run.baseline_ms)) tiles.append(tile('Original', withUnit(run.baseline_ms, 'ms'), `per frame, ${formatClock(run.clock)}`));
-    tiles.append(tile('Allowed error', formatTick(threshold.value), threshold.metric));
-    if (fastest) tiles.append(tile('Fastest that was validated', formatSpeedup(fastest.measured_speedup), `error ${formatNumber(fastest.measured_error)}`));
-    if (isNumber(limit.frame_ms)) tiles.append(tile('Limit', withUnit(limit.frame_ms, 'ms'), 'tail alone, payload free'));
-    return;
+function drawTiles(run, view) {
+  view.onChange(() => byId('tiles').replaceChildren(...(view.pick.kind === 'original' ? originalTiles(run, view) : pickTiles(run, view))));
+}
+
+function originalTiles(run, view) {
+  const tiles = [];
+  const tried = run.attempts.filter((attempt) => isNumber(attempt.measured_speedup));
+  const fastest = tried.reduce((best, attempt) => (!best || attempt.measured_speedup > best.measured_speedup ? attempt : best), null);
+  if (isNumber(run.baseline_ms)) tiles.push(tile('frame_ms', 'Original', run.baseline_ms, withUnit(run.baseline_ms, 'ms'), `per frame, ${formatClock(run.clock)}`));
+  tiles.push(tile('allowed', 'Allowed error', view.threshold, formatTick(Number(view.threshold.toPrecision(3))), run.threshold.metric));
+  if (fastest) tiles.push(tile('fastest', 'Fastest that was validated', fastest.measured_speedup, formatSpeedup(fastest.measured_speedup), `error ${formatNumber(fastest.measured_error)}`));
+  if (isNumber(run.limit.frame_ms)) tiles.push(tile('limit', 'Limit', run.limit.frame_ms, withUnit(run.limit.frame_ms, 'ms'), 'tail alone, payload free'));
+  return tiles;
+}
+
+// A figure as measured with its interval, the model's beside it; the model's where nothing was measured.
+function pickTiles(run, { pick, threshold }) {
+  const { choice, original, scenario } = run;
+  const chosen = pick.kind === 'choice';
+  const best = (measured, predicted) => (isNumber(measured) ? measured : predicted);
+  const told = (measured, predicted, format) => (isNumber(measured) ? (isNumber(predicted) ? `predicted ${format(predicted)}` : '') : 'predicted, not measured');
+  const joined = (...parts) => parts.filter(Boolean).join('; ');
+  const speedup = best(pick.measured_speedup, pick.predicted_speedup);
+  const error = best(pick.measured_error, pick.predicted_error);
+  const ms = best(pick.measured_ms, pick.predicted_ms);
+  const tiles = [
+    tile('speedup', 'Speed-up', speedup, formatSpeedup(speedup), joined(pick.speedup_ci && `95% interval ${formatInterval(pick.speedup_ci)}`, told(pick.measured_speedup, pick.predicted_speedup, formatSpeedup))),
+    tile('error', `Error, ${run.threshold.metric}`, error, formatNumber(error), joined(`of ${formatTick(Number(threshold.toPrecision(3)))} allowed`, told(pick.measured_error, pick.predicted_error, formatNumber),
+      chosen && `worst frame ${formatNumber(choice.worst_frame_error)}`), error / threshold),
+    tile('frame_ms', 'Frame time', ms, withUnit(ms, 'ms'), chosen ? joined(`original ${formatMs(original.frame_ms)}`, told(pick.measured_ms, pick.predicted_ms, formatMs), `p95 ${formatMs(choice.p95_ms)}, worst ${formatMs(choice.worst_ms)}`)
+      : joined(`original ${formatMs(run.baseline_ms)}`, pick.ms_ci && `95% interval ${formatInterval(pick.ms_ci)}`, told(pick.measured_ms, pick.predicted_ms, formatMs))),
+  ];
+  if (isNumber(pick.limit_ms) && ms > 0) {
+    const share = pick.limit_ms / ms;
+    tiles.push(tile('limit', 'Share of the limit', share, formatPercent(share), `a free payload would take ${formatMs(pick.limit_ms)}`, Math.min(1, share)));
   }
-  tiles.append(
-    tile('Speed-up', formatSpeedup(choice.measured_speedup), choice.speedup_ci95 ? `95% interval ${formatInterval(choice.speedup_ci95)}` : ''),
-    tile(`Error, ${threshold.metric}`, formatNumber(choice.measured_error), `of ${formatTick(threshold.value)} allowed; worst frame ${formatNumber(choice.worst_frame_error)}`, choice.measured_error / threshold.value),
-    tile('Frame time', withUnit(choice.measured_frame_ms, 'ms'), `original ${formatMs(original.frame_ms)}; p95 ${formatMs(choice.p95_ms)}, worst ${formatMs(choice.worst_ms)}`));
-  if (isNumber(limit.frame_ms) && choice.measured_frame_ms > 0) {
-    const share = limit.frame_ms / choice.measured_frame_ms;
-    tiles.append(tile('Share of the limit', formatPercent(share), `a free payload would take ${formatMs(limit.frame_ms)}`, Math.min(1, share)));
+  if (isNumber(pick.hit_rate)) tiles.push(tile('hit_rate', 'Hit rate', pick.hit_rate, formatPercent(pick.hit_rate), chosen ? 'of covered pixels, in validation' : 'predicted', pick.hit_rate));
+  if (isNumber(pick.cache)) {
+    const mebibytes = (pick.cache * scenario.width * scenario.height) / 2 ** 20;
+    tiles.push(tile('cache', 'Cache', pick.cache, withUnit(pick.cache, 'bytes/pixel'), `${formatNumber(mebibytes)} MiB at ${scenario.width}×${scenario.height}`));
   }
-  if (isNumber(choice.hit_rate)) tiles.append(tile('Hit rate', formatPercent(choice.hit_rate), 'of covered pixels, in validation', choice.hit_rate));
-  if (isNumber(choice.cache_bytes_per_pixel)) {
-    const mebibytes = (choice.cache_bytes_per_pixel * scenario.width * scenario.height) / 2 ** 20;
-    tiles.append(tile('Cache', withUnit(choice.cache_bytes_per_pixel, 'bytes/pixel'), `${formatNumber(mebibytes)} MiB at ${scenario.width}×${scenario.height}`));
-  }
+  return tiles;
 }
 
 function drawAlerts(run) {

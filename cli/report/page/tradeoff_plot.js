@@ -2,28 +2,29 @@
 
 const kZeroGutter = 46;  // pixels left of the logarithmic axis, where errors of exactly 0 are drawn
 
-function drawTradeoff(run) {
+function drawTradeoff(run, view) {
   if (!run.curves.length) return hide('tradeoff');
-  const view = { strategy: '', all: true };
-  const redraw = redrawOnResize(byId('tradeoff-plot'), (width) => tradeoffSvg(run, visibleCurves(run, view), width));
-  tradeoffControls(run, view, redraw);
+  const filter = { strategy: '', all: true };
+  const redraw = redrawOnResize(byId('tradeoff-plot'), (width) => tradeoffSvg(run, view, visibleCurves(run, view, filter), width));
+  tradeoffControls(run, filter, redraw);
+  view.onChange(redraw);
   byId('tradeoff-note').textContent =
     `Each curve is one way to cache one candidate; its points are the periods. Lower is faster, further left is closer to the original. ` +
-    `The tinted area is what was asked for: an error of at most ${formatTick(run.threshold.value)} ${run.threshold.metric}, faster than the original. ` +
+    `The tinted area is what is asked for: an error of at most the threshold, faster than the original. Click a point to hold its candidate. ` +
     `Times are ${formatClock(run.clock)}.`;
   byId('tradeoff-legend').append(...tradeoffLegend(run));
 }
 
-const visibleCurves = (run, view) => run.curves.filter((curve) =>
-  (!view.strategy || curve.configuration.strategy === view.strategy) && (view.all || curve.emphasised || curve.chosen));
+const visibleCurves = (run, view, filter) => run.curves.filter((curve) => curve.candidate === view.held ||
+  ((!filter.strategy || curve.configuration.strategy === filter.strategy) && (filter.all || curve.emphasised || curve.chosen)));
 
-function tradeoffControls(run, view, redraw) {
+function tradeoffControls(run, filter, redraw) {
   const strategies = [...new Set(run.curves.map((curve) => curve.configuration.strategy))].sort();
   const select = html('select', { id: 'tradeoff-strategy' }, html('option', { value: '' }, 'all'),
     strategies.map((strategy) => html('option', { value: strategy }, strategy)));
   const all = html('input', { type: 'checkbox', checked: true });
-  select.addEventListener('change', () => { view.strategy = select.value; redraw(); });
-  all.addEventListener('change', () => { view.all = all.checked; redraw(); });
+  select.addEventListener('change', () => { filter.strategy = select.value; redraw(); });
+  all.addEventListener('change', () => { filter.all = all.checked; redraw(); });
   byId('tradeoff-controls').append(
     html('label', {}, 'Strategy', select),
     html('label', {}, all, 'also what is not the best of its candidate (grey)'));
@@ -37,7 +38,7 @@ function tradeoffLegend(run) {
     key(svg('g', { class: 'curve', color: 'var(--ink-2)' }, neverMark(11, 8, 'mark')), 'never refreshed'),
   ];
   if (run.isVariant) {
-    entries.push(key(svg('circle', { class: 'choice-ring', cx: 11, cy: 8, r: 6 }), 'the choice, as trained'),
+    entries.push(key(svg('circle', { class: 'choice-ring', cx: 11, cy: 8, r: 6 }), 'what the slider picks, as trained'),
       key(cross(11, 8, 5), 'the choice in validation'));
   }
   return entries;
@@ -48,11 +49,11 @@ const neverMark = (x, y, kind) => svg('rect', { class: kind, x: x - 4, y: y - 4,
 const cross = (x, y, r) => svg('path', { class: 'validated', d: `M${x - r} ${y - r}L${x + r} ${y + r}M${x - r} ${y + r}L${x + r} ${y - r}` });
 
 // Where values lie on the drawing: x(error), y(ms), and the frame around them.
-function tradeoffGeometry(run, curves, width) {
+function tradeoffGeometry(run, view, curves, width) {
   const frame = { x0: 62, x1: width - 62, y0: 14, y1: Math.max(330, Math.min(520, width * 0.46)) };
   const points = curves.flatMap((curve) => curve.points);
   const extra = run.isVariant ? run.choice : {};
-  const errors = [...points.map((point) => point.error), run.threshold.value, extra.measured_error].filter((error) => error > 0);
+  const errors = [...points.map((point) => point.error), run.threshold.value, ...thresholdStops(run), extra.measured_error].filter((error) => error > 0);
   const times = [...points.map((point) => point.ms), run.baseline_ms, run.original.frame_ms, run.original.with_prepass_ms,
     run.limit.frame_ms, extra.measured_frame_ms].filter((ms) => ms > 0);
   const errorRange = [Math.min(...errors, run.threshold.value / 4 || 1e-3) / 1.25, Math.max(...errors, 1e-3) * 1.25];
@@ -67,8 +68,8 @@ function tradeoffGeometry(run, curves, width) {
   };
 }
 
-function tradeoffSvg(run, curves, width) {
-  const geometry = tradeoffGeometry(run, curves, width);
+function tradeoffSvg(run, view, curves, width) {
+  const geometry = { ...tradeoffGeometry(run, view, curves, width), threshold: view.threshold };
   const { frame } = geometry;
   const root = svg('svg', {
     viewBox: `0 0 ${width} ${frame.y1 + 46}`, role: 'group',
@@ -78,23 +79,23 @@ function tradeoffSvg(run, curves, width) {
   const bounds = tradeoffBounds(run, geometry);
   root.append(...bounds.lines);
   const groups = new Map();
-  const ordered = [...curves].sort((a, b) => Boolean(a.emphasised) - Boolean(b.emphasised) || a.chosen - b.chosen);
+  const ordered = [...curves].sort((a, b) => (a.candidate === view.held) - (b.candidate === view.held) || Boolean(a.emphasised) - Boolean(b.emphasised) || a.chosen - b.chosen);
   for (const curve of ordered) {
-    const group = curveGroup(curve, geometry);
+    const group = curveGroup(curve, geometry, view);
     groups.set(curve, group);
     root.append(group);
   }
   labelCurves(run, curves, geometry, groups, bounds);
-  root.append(...bounds.labels, ...choiceMarks(run, curves, geometry));
-  addHover(root, run, curves, geometry, groups);
+  root.append(...bounds.labels, ...choiceMarks(run, view, curves, geometry));
+  addHover(root, run, view, curves, geometry, groups);
   return root;
 }
 
-function tradeoffAxes(run, { frame, x, y, zero, start, errorRange, timeRange }) {
+function tradeoffAxes(run, { frame, x, y, zero, start, errorRange, timeRange, threshold }) {
   const nodes = [];
   const base = frame.y1;
   if (run.baseline_ms) {
-    const right = Math.min(x(run.threshold.value), frame.x1);
+    const right = Math.min(x(threshold), frame.x1);
     nodes.push(svg('rect', { class: 'region', x: frame.x0, y: y(run.baseline_ms), width: Math.max(0, right - frame.x0), height: Math.max(0, base - y(run.baseline_ms)) }));
   }
   for (const tick of logTicks(timeRange[0], timeRange[1], 9)) {
@@ -128,7 +129,7 @@ function speedupTicks(run, { frame, y, timeRange }, middle) {
 }
 
 // The lines that curves are held against. Their labels stand at the right end, clear of each other.
-function tradeoffBounds(run, { frame, x, y }) {
+function tradeoffBounds(run, { frame, x, y, threshold }) {
   const lines = [
     { ms: run.original.frame_ms, text: 'original', kind: 'bound dashed' },
     { ms: run.original.with_prepass_ms, text: 'original with depth prepass', kind: 'bound dotted' },
@@ -147,8 +148,8 @@ function tradeoffBounds(run, { frame, x, y }) {
     labels.push(svg('text', { class: 'halo', x: textX, y: textY, 'text-anchor': line.left ? 'start' : 'end' }, text));
     boxes.push(boxAt(line.left ? textX : textX - labelWidth(text), textY - 4, labelWidth(text)));
   });
-  const at = x(run.threshold.value);
-  const text = `threshold ${formatTick(run.threshold.value)}`;
+  const at = Math.min(frame.x1, Math.max(frame.x0, x(threshold)));
+  const text = `threshold ${formatTick(Number(threshold.toPrecision(3)))}`;
   const left = at + 8 + labelWidth(text) > frame.x1;
   nodes.push(svg('line', { class: 'bound', x1: at, x2: at, y1: frame.y0, y2: frame.y1 }));
   labels.push(svg('text', { class: 'halo strong', x: at + (left ? -6 : 6), y: frame.y1 - 8, 'text-anchor': left ? 'end' : 'start' }, text));
@@ -158,7 +159,7 @@ function tradeoffBounds(run, { frame, x, y }) {
   return { lines: nodes, labels, boxes, obstacles };
 }
 
-function curveGroup(curve, { x, y }) {
+function curveGroup(curve, { x, y }, view) {
   const at = curve.points.map((point) => [x(point.error), y(point.ms)]);
   const solid = [];
   const gaps = [];
@@ -169,12 +170,14 @@ function curveGroup(curve, { x, y }) {
     (never || fromZero ? gaps : solid).push(`M${at[i - 1]}L${at[i]}`);
   }
   const group = svg('g', {
-    class: `curve${curve.emphasised ? '' : ' other'}`, color: curve.emphasised ? curve.candidate.color : null,
+    class: `curve${curve.emphasised ? '' : ' other'}${curve.candidate === view.held ? ' held' : ''}`, color: curve.emphasised ? curve.candidate.color : null,
     role: 'img', 'aria-label': `${curve.candidate.name}: ${formatVariant(curve.configuration)}`,
   });
   group.append(svg('path', { d: solid.join('') }), svg('path', { class: 'gap', d: gaps.join('') }));
   curve.points.forEach((point, i) => {
     const kind = point.measured ? 'mark' : 'mark predicted';
+    const ci = point.measured_frame_ms_ci95;
+    if (ci && curve.emphasised) group.append(svg('line', { class: 'whisker', x1: at[i][0], x2: at[i][0], y1: y(ci[0]), y2: y(ci[1]) }));
     const radius = curve.emphasised ? 4.5 : 3;
     group.append(point.period_frames === null && curve.emphasised
       ? neverMark(at[i][0], at[i][1], kind)
@@ -219,19 +222,19 @@ function labelCurves(run, curves, geometry, groups, bounding) {
   });
 }
 
-function choiceMarks(run, curves, { x, y }) {
+function choiceMarks(run, view, curves, { x, y }) {
   const nodes = [];
-  const chosen = choicePoint(run);
-  if (chosen && curves.some((curve) => curve.chosen)) {
-    nodes.push(svg('circle', { class: 'choice-ring', cx: x(chosen.error), cy: y(chosen.ms), r: 9 }));
-  }
+  const { pick } = view;
+  const shown = curves.find((curve) => pick.candidate && curve.candidate === pick.candidate && curve.configuration === pick.configuration);
+  const point = shown && shown.points.find((one) => one.period_frames === pick.period);
+  if (point) nodes.push(svg('circle', { class: 'choice-ring', cx: x(point.error), cy: y(point.ms), r: 9 }));
   const { measured_error: error, measured_frame_ms: ms } = run.choice;
   if (run.isVariant && isNumber(error) && ms > 0) nodes.push(cross(x(error), y(ms), 6));
   return nodes;
 }
 
 // The nearest point within reach answers, so that marks need not be hit exactly; its curve stands out meanwhile.
-function addHover(root, run, curves, { x, y }, groups) {
+function addHover(root, run, view, curves, { x, y }, groups) {
   const targets = curves.flatMap((curve) => curve.points.map((point) => ({ curve, point, x: x(point.error), y: y(point.ms) })));
   let focused = null;
   const focus = (group) => {
@@ -240,19 +243,27 @@ function addHover(root, run, curves, { x, y }, groups) {
     root.classList.toggle('focusing', Boolean(group));
     if (group) group.classList.add('focus');
   };
-  root.addEventListener('pointermove', (event) => {
-    const scale = root.viewBox.baseVal.width / root.getBoundingClientRect().width;
-    const px = (event.clientX - root.getBoundingClientRect().left) * scale;
-    const py = (event.clientY - root.getBoundingClientRect().top) * scale;
-    const distance = (target) => Math.hypot(target.x - px, target.y - py) - (target.curve.emphasised ? 3 : 0);
+  const nearestTo = (event) => {
+    const box = root.getBoundingClientRect();
+    const scale = root.viewBox.baseVal.width / box.width;
+    const distance = (target) => Math.hypot(target.x - (event.clientX - box.left) * scale, target.y - (event.clientY - box.top) * scale) - (target.curve.emphasised ? 3 : 0);
     const nearest = targets.reduce((best, target) => (!best || distance(target) < distance(best) ? target : best), null);
-    if (!nearest || distance(nearest) > 22) {
+    return nearest && distance(nearest) <= 22 ? nearest : null;
+  };
+  root.addEventListener('pointermove', (event) => {
+    const nearest = nearestTo(event);
+    if (!nearest) {
       focus(null);
       return hideTooltip();
     }
     focus(groups.get(nearest.curve));
     return showTooltip(event.clientX, event.clientY, pointTooltip(run, nearest.curve, nearest.point));
   });
+  root.addEventListener('click', (event) => {
+    const nearest = nearestTo(event);
+    if (nearest) view.hold(nearest.curve.candidate);
+  });
+  view.focus = (candidate) => focus(candidate && candidate.leader ? groups.get(candidate.leader) || null : null);
   root.addEventListener('pointerleave', () => {
     focus(null);
     hideTooltip();
