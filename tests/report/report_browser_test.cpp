@@ -175,9 +175,9 @@ TEST_F(ReportInBrowser, HoldsACandidateFromTheMarginEverywhere) {
   const RunResult run = sample::manyCandidatesRun();
   const Page page = open(run, {}, R"js(
     document.querySelector('button.marker[data-id="many20"]').click();
-    const wipe = document.getElementById('images-wipe');
-    wipe.value = 250;
-    wipe.dispatchEvent(new Event('input'));
+    const pulled = document.getElementById('images-wipe');
+    pulled.value = 250;
+    pulled.dispatchEvent(new Event('input'));
     document.querySelector('.thumb[data-frame="16"]').click();
   )js", sample::evidenceOf(run));
   EXPECT_EQ(page.console, "");

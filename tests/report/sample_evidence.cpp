@@ -16,7 +16,8 @@ RunVariant variantOf(const RunCandidate& candidate, const RunConfiguration& one,
 
 RunResult manyCandidatesRun() {
   RunResult run = variantRun();
-  const RunCandidate base = run.candidates.front();
+  const RunCandidate base = *std::find_if(run.candidates.begin(), run.candidates.end(),
+                                          [&](const RunCandidate& one) { return one.id == run.choice.candidate_id; });
   run.candidates.clear();
   run.front.clear();
   run.threshold.margin = 0.1;
