@@ -67,7 +67,8 @@ class ImageRun {
         if (shown) REPRISE_TRY(write(original_, "original"));
         if (in_strip) REPRISE_TRY(write(original_, strip + "_original"));
       }
-      for (std::size_t entry = 0; entry < players.size(); ++entry) {
+      const std::size_t playing = frame > job_.image_frame ? std::min<std::size_t>(1, players.size()) : players.size();
+      for (std::size_t entry = 0; entry < playing; ++entry) {
         REPRISE_TRY(render(players[entry], job_.entries[entry].period_frames));
         if (shown) REPRISE_TRY(writeEntry(players[entry], players.size() == 1 ? "" : "_" + std::to_string(entry)));
         if (in_strip && entry == 0) {
