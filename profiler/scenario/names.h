@@ -79,6 +79,7 @@ inline constexpr int kMaxTextureSize = 8192;
 inline constexpr int kMaxDiscs = 64;  // each way, of an object
 inline constexpr int kMaxTrackValues = 256;
 inline constexpr int kMaxEntries = 1024;  // objects, textures, sessions, key frames, profile points
+inline constexpr std::size_t kMaxCameraRows = 20000;  // of a recording: five minutes at 60 a second
 inline constexpr int kMaxUniforms = 4096;  // as many as members that a block may have
 inline constexpr std::int64_t kMaxMeshQuads = 1 << 23;   // of all objects together: some 500 MB of vertices
 inline constexpr std::int64_t kMaxTexels = 8192 * 8192;  // of all made-up textures together

@@ -4,22 +4,12 @@
 #include <numeric>
 
 namespace reprise {
-namespace {
 
-void readTrackAt(TableReader& reader, const std::string& key, Track& track, Need need = Need::kOptional) {
+void readTrackAt(TableReader& reader, const std::string& key, Track& track, Need need) {
   const TomlNode* node = reader.find(key, need);
   if (!node) return;
   const std::string what = "'" + key + "' of " + reader.what();
   if (std::optional<Track> read = readTrack(*node, what, 3, reader.diagnostics())) track = *read;
-}
-
-// One number stands for the same scale along all axes.
-void readScale(TableReader& reader, Track& scale) {
-  const TomlNode* node = reader.find("scale");
-  if (!node || !node->isNumber()) return readTrackAt(reader, "scale", scale);
-  float factor = 1;
-  reader.readNumber("scale", factor, kPositive);
-  scale = FixedTrack{{factor, factor, factor}};
 }
 
 void readDirection(TableReader& reader, const std::string& key, std::array<float, 3>& direction) {
@@ -30,40 +20,15 @@ void readDirection(TableReader& reader, const std::string& key, std::array<float
                            reader.find(key)->place);
 }
 
-OrbitPath readOrbit(const TomlNode& node, const std::string& what, Diagnostics& diagnostics) {
-  OrbitPath orbit;
-  TableReader reader(node, "'orbit' of " + what, diagnostics);
-  reader.readNumbers("target", orbit.target);
-  reader.readNumber("radius", orbit.radius, kPositive);
-  reader.readNumber("height", orbit.height);
-  reader.readNumber("start_rad", orbit.start_rad);
-  reader.readNumber("radians_per_frame", orbit.radians_per_frame);
-  reader.finish();
-  return orbit;
-}
+namespace {
 
-CameraPath readCameraPath(TableReader& reader) {
-  if (const TomlNode* orbit = reader.find("orbit")) {
-    for (const char* key : {"eye", "target"}) {
-      if (!reader.has(key)) continue;
-      reader.diagnostics().add("value",
-                               reader.what() + " has 'orbit' and '" + key +
-                                   "', expected either 'orbit' or 'eye' " + "and 'target'",
-                               reader.find(key)->place);
-    }
-    return readOrbit(*orbit, reader.what(), reader.diagnostics());
-  }
-  TrackPath path{FixedTrack{{0, 0, 4}}, FixedTrack{{0, 0, 0}}};
-  if (!reader.has("eye")) {
-    reader.find("eye");
-    if (reader.table().kind == NodeKind::kTable) {
-      reader.diagnostics().add("missing_key", reader.what() + " needs 'orbit', or 'eye' and 'target'",
-                               reader.table().place);
-    }
-  }
-  readTrackAt(reader, "eye", path.eye);
-  readTrackAt(reader, "target", path.target);
-  return path;
+// One number stands for the same scale along all axes.
+void readScale(TableReader& reader, Track& scale) {
+  const TomlNode* node = reader.find("scale");
+  if (!node || !node->isNumber()) return readTrackAt(reader, "scale", scale);
+  float factor = 1;
+  reader.readNumber("scale", factor, kPositive);
+  scale = FixedTrack{{factor, factor, factor}};
 }
 
 }  // namespace
@@ -78,30 +43,6 @@ Motion readMotion(const TomlNode& node, const std::string& what, Diagnostics& di
   reader.readNumber("spin_rad_per_frame", motion.spin_rad_per_frame);
   reader.finish();
   return motion;
-}
-
-Camera readCamera(const TomlNode& node, const std::string& what, Diagnostics& diagnostics) {
-  Camera camera;
-  TableReader reader(node, what, diagnostics);
-  camera.path = readCameraPath(reader);
-  readDirection(reader, "up", camera.up);
-  reader.readBoolean("orthographic", camera.orthographic);
-  if (camera.orthographic) {
-    reader.readNumber("ortho_height", camera.ortho_height, kPositive);
-  } else {
-    reader.readNumber("fov_y_deg", camera.fov_y_deg, {0, 170, true});
-  }
-  reader.readNumber("near", camera.near_plane, camera.orthographic ? kAnyNumber : kPositive);
-  reader.readNumber("far", camera.far_plane, camera.orthographic ? kAnyNumber : kPositive);
-  reader.readBoolean("reverse_z", camera.reverse_z);
-  if (camera.far_plane <= camera.near_plane) {
-    diagnostics.add("value",
-                    "'far' of " + what + " does not lie behind 'near': " + std::to_string(camera.far_plane) +
-                        " and " + std::to_string(camera.near_plane),
-                    node.place);
-  }
-  reader.finish();
-  return camera;
 }
 
 namespace {

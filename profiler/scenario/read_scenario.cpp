@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "profiler/scenario/model_cameras.h"
 #include "profiler/scenario/near_names.h"
 #include "profiler/scenario/read_models.h"
 #include "profiler/scenario/read_motion.h"
@@ -154,6 +155,7 @@ Result<Scenario> readScenario(const fs::path& path) {
   sortByPlace(diagnostics);
   if (!diagnostics.errors.empty()) return mergeErrors(diagnostics);
   REPRISE_TRY(loadModels(scenario));
+  REPRISE_TRY(placeModelCameras(scenario));
   REPRISE_ASSIGN(scenario.hash, hashScenario(scenario));
   return scenario;
 }

@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "profiler/scenario/near_names.h"
+#include "profiler/scenario/read_camera.h"
 #include "profiler/scenario/read_motion.h"
 #include "profiler/scenario/track_size.h"
 
@@ -331,7 +332,7 @@ SessionSpec readSession(const TomlNode& node, const Scenario& scenario, Diagnost
   if (!reader.has("role")) reader.find("role", Need::kRequired);
   reader.readChoice("role", session.role, kSessionRoles);
   if (const TomlNode* camera = reader.find("camera", Need::kRequired)) {
-    session.camera = readCamera(*camera, "'camera' of session '" + session.name + "'", diagnostics);
+    session.camera = readCamera(*camera, "'camera' of session '" + session.name + "'", fs::path(scenario.path).parent_path(), diagnostics);
   }
   if (reader.has("frames"))
     reader.readInteger("frames", session.frames, {1, kMaxFrames});

@@ -106,6 +106,18 @@ RandomWalkTrack readRandomWalk(const TomlNode& node, const std::string& what, Di
   return track;
 }
 
+FlickerTrack readFlicker(const TomlNode& node, const std::string& what, Diagnostics& diagnostics) {
+  FlickerTrack track;
+  TableReader reader(node, "'flicker' of " + what, diagnostics);
+  track.base = readValuesAt(reader, "base");
+  track.amplitude = readValuesAt(reader, "amplitude");
+  expectSameSize(track.base, track.amplitude, "'base' and 'amplitude' of " + what + " must have as many values", reader);
+  reader.readNumber("rate_hz", track.rate_hz, kPositive);
+  reader.readUnsigned("seed", track.seed);
+  reader.finish();
+  return track;
+}
+
 std::optional<Track> readTrackTable(const TomlNode& node, const std::string& what, Diagnostics& diagnostics) {
   TableReader reader(node, what, diagnostics);
   std::optional<Track> track;
@@ -126,12 +138,16 @@ std::optional<Track> readTrackTable(const TomlNode& node, const std::string& wha
     track = readRandomWalk(*walk, what, diagnostics);
     ++forms;
   }
+  if (const TomlNode* flicker = reader.find("flicker")) {
+    track = readFlicker(*flicker, what, diagnostics);
+    ++forms;
+  }
   reader.finish();
   if (forms != 1) {
     diagnostics.add(
         forms == 0 ? "missing_key" : "value",
         what + " has " + std::to_string(forms) +
-            " of the keys 'value', 'key_frames', 'oscillate', 'random_walk', expected exactly one",
+            " of the keys 'value', 'key_frames', 'oscillate', 'random_walk', 'flicker', expected exactly one",
         node.place);
     return std::nullopt;
   }

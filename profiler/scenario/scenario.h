@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "profiler/gltf/gltf_scene.h"
+#include "profiler/scenario/camera_path.h"
 #include "runtime/base/result.h"
 
 namespace reprise {
@@ -40,7 +41,15 @@ struct RandomWalkTrack {
   std::uint32_t seed = 1;
   bool operator==(const RandomWalkTrack&) const = default;
 };
-using Track = std::variant<FixedTrack, KeyFramesTrack, OscillationTrack, RandomWalkTrack>;
+// base + amplitude * u, where u in [-1, 1) is drawn anew rate_hz times a second and is the same for all components, as a lamp
+// flickers as one. Seeded.
+struct FlickerTrack {
+  std::vector<float> base, amplitude;
+  float rate_hz = 12;
+  std::uint32_t seed = 1;
+  bool operator==(const FlickerTrack&) const = default;
+};
+using Track = std::variant<FixedTrack, KeyFramesTrack, OscillationTrack, RandomWalkTrack, FlickerTrack>;
 
 // Around target in the plane normal to up, height above it. With up = +y: at +z for angle 0, at +x a quarter turn later.
 struct OrbitPath {
@@ -56,7 +65,7 @@ struct TrackPath {
   Track target;  // 3 values
   bool operator==(const TrackPath&) const = default;
 };
-using CameraPath = std::variant<OrbitPath, TrackPath>;
+using CameraPath = std::variant<OrbitPath, TrackPath, RecordedPath, ModelCameraPath>;
 
 struct Camera {
   CameraPath path;
@@ -66,6 +75,8 @@ struct Camera {
   float ortho_height = 4;     // orthographic: height of the view volume
   float near_plane = 0.1f, far_plane = 100;
   bool reverse_z = false;
+  std::optional<Handheld> handheld = {};
+  std::vector<CameraCut> cuts = {};  // times rise strictly
   bool operator==(const Camera&) const = default;
 };
 
@@ -207,7 +218,7 @@ struct Scenario {
   int frames = 96;
   float frame_time_s = 1.0f / 60;   // virtual time per frame
   std::vector<std::uint32_t> periods = {1, 2, 4, 8, 16, 32, 64};  // kNeverRefresh (0) stands for never
-  std::uint32_t seed = 1;           // mixed into the seeds of all random walks
+  std::uint32_t seed = 1;           // mixed into the seeds of all tracks and shakes
   std::vector<ModelSpec> models;
   std::vector<Object> objects;      // those of the models after the others
   std::vector<UniformBinding> uniforms;

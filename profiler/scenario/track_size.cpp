@@ -7,6 +7,7 @@ std::size_t trackSize(const Track& track) {
   if (const auto* keys = std::get_if<KeyFramesTrack>(&track))
     return keys->values.empty() ? 0 : keys->values.front().size();
   if (const auto* oscillation = std::get_if<OscillationTrack>(&track)) return oscillation->base.size();
+  if (const auto* flicker = std::get_if<FlickerTrack>(&track)) return flicker->base.size();
   return std::get<RandomWalkTrack>(track).base.size();
 }
 

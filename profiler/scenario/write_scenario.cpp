@@ -74,6 +74,10 @@ struct TrackText {
     return "{ random_walk = { base = " + numbers(track.base) + ", extent = " + numbers(track.extent) +
            ", step_per_s = " + number(track.step_per_s) + ", seed = " + std::to_string(track.seed) + " } }";
   }
+  std::string operator()(const FlickerTrack& track) const {
+    return "{ flicker = { base = " + numbers(track.base) + ", amplitude = " + numbers(track.amplitude) +
+           ", rate_hz = " + number(track.rate_hz) + ", seed = " + std::to_string(track.seed) + " } }";
+  }
 };
 
 std::string trackText(const Track& track) {
@@ -119,21 +123,53 @@ std::string meshText(const MeshSpec& mesh) {
   return text + " }";
 }
 
-std::string cameraText(const Camera& camera) {
-  std::string text = "{ ";
-  if (const auto* orbit = std::get_if<OrbitPath>(&camera.path)) {
-    text += "orbit = { target = " + numbers(orbit->target) + ", radius = " + number(orbit->radius) +
-            ", height = " + number(orbit->height) + ", start_rad = " + number(orbit->start_rad) +
-            ", radians_per_frame = " + number(orbit->radians_per_frame) + " }";
-  } else {
-    const TrackPath& path = std::get<TrackPath>(camera.path);
-    text += "eye = " + trackText(path.eye) + ", target = " + trackText(path.target);
+struct CameraPathText {
+  std::string operator()(const OrbitPath& orbit) const {
+    return "orbit = { target = " + numbers(orbit.target) + ", radius = " + number(orbit.radius) + ", height = " + number(orbit.height) +
+           ", start_rad = " + number(orbit.start_rad) + ", radians_per_frame = " + number(orbit.radians_per_frame) + " }";
   }
-  text += ", up = " + numbers(camera.up) + ", orthographic = " + truth(camera.orthographic);
-  text += camera.orthographic ? ", ortho_height = " + number(camera.ortho_height)
-                              : ", fov_y_deg = " + number(camera.fov_y_deg);
-  return text + ", near = " + number(camera.near_plane) + ", far = " + number(camera.far_plane) +
-         ", reverse_z = " + truth(camera.reverse_z) + " }";
+  std::string operator()(const TrackPath& path) const {
+    return "eye = " + trackText(path.eye) + ", target = " + trackText(path.target);
+  }
+  // The rows themselves: a copy of the scenario needs no other file.
+  std::string operator()(const RecordedPath& path) const {
+    std::string text = "recorded = [";
+    for (const CameraKey& key : path.keys) {
+      std::vector<float> row = {key.at_s};
+      row.insert(row.end(), key.position.begin(), key.position.end());
+      row.insert(row.end(), key.rotation.begin(), key.rotation.end());
+      if (key.fov_y_deg > 0) row.push_back(key.fov_y_deg);
+      text += (&key == &path.keys.front() ? "" : ", ") + numbers(row);
+    }
+    return text + "]";
+  }
+  std::string operator()(const ModelCameraPath& path) const {
+    const auto* index = std::get_if<int>(&path.camera);
+    return "gltf = { model = " + quoted(path.model) +
+           ", camera = " + (index ? std::to_string(*index) : quoted(std::get<std::string>(path.camera))) + " }";
+  }
+};
+
+std::string shakeAndCutsText(const Camera& camera) {
+  std::string text;
+  if (const auto& handheld = camera.handheld)
+    text += ", handheld = { move = " + number(handheld->move) + ", turn_deg = " + number(handheld->turn_deg) +
+            ", frequency_hz = " + number(handheld->frequency_hz) + ", seed = " + std::to_string(handheld->seed) + " }";
+  for (const CameraCut& cut : camera.cuts)
+    text += (&cut == &camera.cuts.front() ? ", cuts = [{ at_s = " : ", { at_s = ") + number(cut.at_s) + ", turn_deg = " + number(cut.turn_deg) +
+            ", move = " + numbers(cut.move) + " }";
+  return camera.cuts.empty() ? text : text + "]";
+}
+
+std::string cameraText(const Camera& camera) {
+  std::string text = "{ " + std::visit(CameraPathText(), camera.path) + ", up = " + numbers(camera.up);
+  if (!std::holds_alternative<ModelCameraPath>(camera.path)) {
+    text += ", orthographic = " + truth(camera.orthographic);
+    text += camera.orthographic ? ", ortho_height = " + number(camera.ortho_height)
+                                : ", fov_y_deg = " + number(camera.fov_y_deg);
+    text += ", near = " + number(camera.near_plane) + ", far = " + number(camera.far_plane);
+  }
+  return text + ", reverse_z = " + truth(camera.reverse_z) + shakeAndCutsText(camera) + " }";
 }
 
 std::string relativePath(const std::string& path, const fs::path& directory) {

@@ -72,6 +72,15 @@ std::vector<float> evaluateWalk(const RandomWalkTrack& track, double time_s, std
   return values;
 }
 
+std::vector<float> evaluateFlicker(const FlickerTrack& track, double time_s, std::uint32_t seed) {
+  // A time that is a multiple of 1/rate_hz but for its rounding belongs to the draw that begins there.
+  const double draw = std::fmod(std::floor(time_s * track.rate_hz + 1e-6), 1 << 30);
+  const double swing = 2 * latticeRandom(static_cast<std::int32_t>(draw), 0, track.seed ^ (seed * 0x9e3779b9u)) - 1;
+  std::vector<float> values = track.base;
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(values[i] + track.amplitude[i] * swing);
+  return values;
+}
+
 }  // namespace
 
 std::vector<float> evaluateTrack(const Track& track, double time_s, std::uint32_t seed) {
@@ -80,6 +89,7 @@ std::vector<float> evaluateTrack(const Track& track, double time_s, std::uint32_
   if (const auto* keys = std::get_if<KeyFramesTrack>(&track)) return evaluateKeyFrames(*keys, at_s);
   if (const auto* oscillation = std::get_if<OscillationTrack>(&track))
     return evaluateOscillation(*oscillation, at_s);
+  if (const auto* flicker = std::get_if<FlickerTrack>(&track)) return evaluateFlicker(*flicker, at_s, seed);
   return evaluateWalk(std::get<RandomWalkTrack>(track), at_s, seed);
 }
 
