@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fitting/solve/cost_design.h"
+
 namespace reprise {
 namespace {
 
@@ -27,10 +29,10 @@ HitRateFit fitHits(const ErrorStudy& study) {
   return fitHitRate(points);
 }
 
-CostFit fitFrames(const ErrorStudy& errors, const CostStudy& costs) {
+std::vector<CostPoint> costPoints(const ErrorStudy& errors, const CostStudy& costs) {
   std::vector<CostPoint> points;
   for (const TimedCount& frame : timedAndCounted(errors, costs)) points.push_back(frame.point);
-  return fitCost(points);
+  return points;
 }
 
 double meanFragments(const ErrorStudy& study) {
@@ -96,7 +98,7 @@ FittedTraining fitTraining(const Subject& subject, const Training& training, con
     configuration.block_pixels = errors.options.block_pixels;
     configuration.error_fit = fitErrors(errors, metric);
     configuration.hit_rate = fitHits(errors);
-    configuration.cost = fitFrames(errors, costs);
+    configuration.cost = fitCost(costPoints(errors, costs));
     configuration.fragments_per_frame = meanFragments(errors);
     for (const std::uint32_t period : subject.scenario.periods) {
       if (period == 1) continue;
@@ -110,6 +112,21 @@ FittedTraining fitTraining(const Subject& subject, const Training& training, con
     fitted.cost_study.push_back(i);
   }
   return fitted;
+}
+
+std::vector<std::string> costWarnings(const Training& training) {
+  std::size_t studies = 0, doubtful = 0;
+  CostDesign worst;
+  for (const CostStudy& costs : training.costs) {
+    if (costs.frames.empty()) continue;
+    const CostDesign design = judgeCostDesign(costPoints(training.errors[costs.error_study], costs));
+    ++studies;
+    if (design.frames == 0 || design.isIdentifiable()) continue;
+    if (doubtful == 0 || design.singular_value < worst.singular_value) worst = design;
+    ++doubtful;
+  }
+  if (doubtful == 0) return {};
+  return {"the cost model is not identifiable for " + std::to_string(doubtful) + " of " + std::to_string(studies) + " timed variants: " + explainCostDesign(worst)};
 }
 
 double originalFrameMs(const Training& training) {

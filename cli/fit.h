@@ -1,6 +1,7 @@
 // Training rows into the models that selection works on (stage 8).
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "cli/subject.h"
@@ -28,6 +29,9 @@ struct TimedCount {
 std::vector<TimedCount> timedAndCounted(const ErrorStudy& errors, const CostStudy& costs);
 
 FittedTraining fitTraining(const Subject& subject, const Training& training, const std::string& metric);
+
+// One warning with the worst figures where training frames cannot tell the cost model's terms apart (cost_design.h); else none.
+std::vector<std::string> costWarnings(const Training& training);
 
 // Median frame time of the faster of the original and the original behind a prepass (ms of the binding clock).
 double originalFrameMs(const Training& training);

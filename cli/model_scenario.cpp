@@ -38,6 +38,7 @@ role = "training"
 [session.camera]
 eye = {{ oscillate = {{ base = {base}, amplitude = {amplitude}, period_s = 1.6, phase_rad = 1.5708 }} }}
 target = {center}
+handheld = {{ move = {shake}, turn_deg = 0.3, seed = 3 }}
 near = {near}
 far = {far}
 
@@ -55,6 +56,7 @@ speed = 0.75
 [session.camera]
 eye = {{ random_walk = {{ base = {walk}, extent = {extent}, step_per_s = {step}, seed = 7 }} }}
 target = {center}
+handheld = {{ move = {shake}, turn_deg = 0.3, seed = 11 }}
 near = {near}
 far = {far}
 )";
@@ -97,7 +99,8 @@ Result<std::string> modelScenario(const std::filesystem::path& model) {
       "center"_a = vectorText(center), "near_distance"_a = 2.1f * radius, "rise"_a = 0.6f * radius, "far_distance"_a = 2.5f * radius,
       "high"_a = 1.1f * radius, "near"_a = 0.05f * radius, "far"_a = 40 * radius, "base"_a = vectorText(center + radius * glm::vec3(0.3f, 0.6f, 3.6f)),
       "amplitude"_a = vectorText(radius * glm::vec3(0.1f, 0.2f, 1.5f)), "walk"_a = vectorText(center + radius * glm::vec3(-0.5f, 0.5f, 2.6f)),
-      "extent"_a = vectorText(radius * glm::vec3(1.0f, 0.4f, 0.6f)), "step"_a = 2.5f * radius);
+      "extent"_a = vectorText(radius * glm::vec3(1.0f, 0.4f, 0.6f)), "step"_a = 2.5f * radius,
+      "shake"_a = 0.005f * radius);
 }
 
 }  // namespace reprise

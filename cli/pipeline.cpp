@@ -291,6 +291,7 @@ Result<RunResult> optimize(const OptimizeArguments& arguments, Progress& progres
 
   result.candidates = describeCandidates(subject, training, fitted, selection, arguments.metric);
   result.warnings = training.warnings;
+  for (const std::string& warning : costWarnings(training)) result.warnings.push_back(warning);
   for (const ModelSpec& model : subject.scenario.models)
     for (const std::string& warning : model.scene->warnings) result.warnings.push_back("model '" + model.name + "': " + warning);
   result.not_reached = training.not_reached;

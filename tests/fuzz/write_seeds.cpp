@@ -131,6 +131,11 @@ uniforms."Scene.gain" = 2
 name = "check"
 role = "validation"
 camera = { eye = [0, 1, 4], target = { value = [0, 0, 0] }, up = [0, 1, 0], orthographic = true, ortho_height = 3 }
+uniforms."Scene.gain" = { flicker = { base = 1, amplitude = 0.5, rate_hz = 12, seed = 3 } }
+[[session]]
+name = "walk"
+role = "validation"
+camera = { recorded = [[0, 1, 2, 3, 0, 0, 0, 1, 45], [0.5, 1, 2, 4, 0, 0.6, 0, 0.8, 50]], handheld = { move = 0.01, turn_deg = 0.3, frequency_hz = 2, seed = 1 }, cuts = [{ at_s = 0.7, turn_deg = 60, move = [1, 0, 0] }] }
 )";
 
 class SeedWriter {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "profiler/scenario/names.h"
@@ -78,7 +79,9 @@ std::array<float, 3> anyDirection() {
 }
 
 Track anyTrack(std::size_t size) {
-  switch (*rc::gen::inRange(0, 4)) {
+  switch (*rc::gen::inRange(0, 5)) {
+    case 4:
+      return FlickerTrack{anyFloats(size), anyFloats(size), anyFloat(0.1f, 60), *rc::gen::arbitrary<std::uint32_t>()};
     case 0:
       return FixedTrack{anyFloats(size)};
     case 1: {
@@ -133,14 +136,41 @@ MeshSpec anyMesh() {
   return mesh;
 }
 
+RecordedPath anyRecording() {
+  RecordedPath path;
+  const bool zooms = *rc::gen::arbitrary<bool>();
+  float at_s = 0;
+  for (int i = *rc::gen::inRange(1, 5); i > 0; --i) {
+    const float half_rad = anyFloat(-3, 3);
+    path.keys.push_back({at_s, anyDirection(), {std::sin(half_rad), 0, 0, std::cos(half_rad)}, zooms ? anyFloat(1, 170) : 0});
+    at_s += anyFloat(0.01f, 3);
+  }
+  return path;
+}
+
+void addShakeAndCuts(Camera& camera) {
+  if (*rc::gen::arbitrary<bool>())
+    camera.handheld = Handheld{anyFloat(0, 1), anyFloat(0, 9), anyFloat(0.1f, 9), *rc::gen::arbitrary<std::uint32_t>()};
+  float at_s = 0;
+  for (int i = *rc::gen::inRange(0, 3); i > 0; --i) {
+    camera.cuts.push_back({at_s, anyFloat(-180, 180), anyDirection()});
+    at_s += anyFloat(0.01f, 3);
+  }
+}
+
 Camera anyCamera(bool reverse_z) {
   Camera camera;
-  if (*rc::gen::arbitrary<bool>()) {
-    camera.path =
-        OrbitPath{anyDirection(), anyFloat(0.1f, 9), anyFloat(-3, 3), anyFloat(-7, 7), anyFloat(-1, 1)};
-  } else {
-    camera.path = TrackPath{anyTrack(3), anyTrack(3)};
+  switch (*rc::gen::inRange(0, 3)) {
+    case 0:
+      camera.path = OrbitPath{anyDirection(), anyFloat(0.1f, 9), anyFloat(-3, 3), anyFloat(-7, 7), anyFloat(-1, 1)};
+      break;
+    case 1:
+      camera.path = TrackPath{anyTrack(3), anyTrack(3)};
+      break;
+    default:
+      camera.path = anyRecording();
   }
+  addShakeAndCuts(camera);
   camera.up = anyDirection();
   camera.orthographic = *rc::gen::arbitrary<bool>();
   if (camera.orthographic)

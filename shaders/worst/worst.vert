@@ -1,0 +1,15 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "scene.glsl"
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 0) out vec3 world_position;
+layout(location = 1) out vec3 world_normal;
+
+void main() {
+  vec4 world = object.model * vec4(position, 1.0);
+  world_position = world.xyz;
+  world_normal = object.normal_matrix * normal;
+  gl_Position = scene.view_projection * world;
+}
