@@ -55,5 +55,49 @@ TEST(Models, RefuseFilesThatAreNoGltf) {
   EXPECT_EQ(read.error().code, "gltf.syntax");
 }
 
+// One triangle, and a camera that a node named "Eye" holds.
+const char* const kModelWithCamera = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1]}],
+"nodes":[{"mesh":0},{"name":"Eye","camera":0,"translation":[0,1,4]}],
+"cameras":[{"name":"Front","type":"perspective","perspective":{"yfov":1,"znear":0.2,"zfar":50}}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],
+"bufferViews":[{"buffer":0,"byteLength":36}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}]})";
+
+Result<Scenario> readWithModelCamera(const ScenarioFolder& folder, const std::string& camera) {
+  folder.write("a.gltf", kModelWithCamera);
+  const std::string text = changed(validScenario(), "[uniforms]", "[[model]]\nname = \"a\"\nfile = \"a.gltf\"\n[uniforms]");
+  return folder.read(changed(text, "camera = { orbit = { radius = 3 } }", "camera = { gltf = " + camera + " }"));
+}
+
+TEST(ModelCameras, AreFoundByNameNodeAndIndexAndBringTheirLens) {
+  const ScenarioFolder folder;
+  for (const char* camera : {"\"a\"", "{ model = \"a\", camera = 0 }", "{ model = \"a\", camera = \"Front\" }", "{ model = \"a\", camera = \"Eye\" }"}) {
+    const Result<Scenario> read = readWithModelCamera(folder, camera);
+    ASSERT_TRUE(read.ok()) << formatError(read.error());
+    const Camera& found = read->sessions[0].camera;
+    EXPECT_EQ(std::get<ModelCameraPath>(found.path).node_index, 1u);
+    EXPECT_NEAR(found.fov_y_deg, 57.29578f, 1e-4);
+    EXPECT_EQ(found.near_plane, 0.2f);
+    EXPECT_EQ(found.far_plane, 50);
+    const Result<Scenario> again = folder.read(writeScenario(*read, folder.path()));
+    ASSERT_TRUE(again.ok()) << formatError(again.error());
+    EXPECT_EQ(again->sessions, read->sessions);
+  }
+}
+
+TEST(ModelCameras, ThatAreNotThereAreRefusedWithNearNames) {
+  const ScenarioFolder folder;
+  const Result<Scenario> read = readWithModelCamera(folder, "{ model = \"a\", camera = \"Frnt\" }");
+  ASSERT_FALSE(read.ok());
+  EXPECT_NE(read.error().message.find("'Front'"), std::string::npos) << read.error().message;
+  EXPECT_FALSE(readWithModelCamera(folder, "{ model = \"a\", camera = 1 }").ok());
+}
+
+TEST(ModelCameras, TakeNoLensOfTheirOwn) {
+  const ScenarioFolder folder;
+  EXPECT_FALSE(readWithModelCamera(folder, "\"a\", fov_y_deg = 40").ok());
+}
+
 }  // namespace
 }  // namespace reprise
