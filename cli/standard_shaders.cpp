@@ -5,6 +5,7 @@
 #include "compiler/source/standard_vertex.h"
 #include "cli/embedded_glsl.h"
 #include "profiler/gltf/vertex.h"
+#include "profiler/scenario/passes.h"
 
 namespace reprise {
 namespace {
@@ -21,7 +22,8 @@ std::string embedded(const std::string& name) {
 
 Result<CompiledShader> standardFragment(const Scenario& scenario) {
   bool normal_map = false, mask = false, double_sided = false;
-  std::size_t lights = 0;
+  const bool shadow = standardShadow(scenario).has_value();
+  std::size_t lights = shadow ? 1 : 0;
   for (const ModelSpec& model : scenario.models) {
     for (const GltfMaterial& material : model.scene->materials) {
       normal_map = normal_map || material.normal_map.image >= 0;
@@ -36,6 +38,7 @@ Result<CompiledShader> standardFragment(const Scenario& scenario) {
   if (normal_map) options.defines.emplace_back("NORMAL_MAP", "1");
   if (mask) options.defines.emplace_back("ALPHA_MASK", "1");
   if (double_sided) options.defines.emplace_back("DOUBLE_SIDED", "1");
+  if (shadow) options.defines.emplace_back("SHADOW_MAP", "1");
   if (lights > 0) options.defines.emplace_back("LIGHTS", std::to_string(std::min(lights, kMostLights)));
   return compileText(embedded("metallic_roughness.frag"), "metallic_roughness.frag", options);
 }

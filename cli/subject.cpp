@@ -6,6 +6,7 @@
 #include "compiler/source/compile.h"
 #include "profiler/scenario/read_scenario.h"
 #include "runtime/base/file.h"
+#include "runtime/base/hash.h"
 
 namespace reprise {
 namespace {
@@ -17,6 +18,39 @@ Result<CompiledShader> compileStage(const Scenario& scenario, const std::string&
   options.defines = scenario.defines;
   options.entry_point = stage == ShaderStage::kVertex ? scenario.vertex_entry_point : scenario.fragment_entry_point;
   return compile(path, options);
+}
+
+// The shaders of a G-buffer pass, as a package whose original is played.
+Result<Package> compilePass(const Scenario& scenario, const PassSpec& pass) {
+  REPRISE_ASSIGN(const CompiledShader fragment, compileStage(scenario, pass.fragment_path, ShaderStage::kFragment));
+  const std::string& vertex_path = pass.vertex_path.empty() ? scenario.vertex_path : pass.vertex_path;
+  REPRISE_ASSIGN(const CompiledShader vertex, vertex_path.empty() ? standardVertex(scenario, fragment)
+                                                                  : compileStage(scenario, vertex_path, ShaderStage::kVertex));
+  REPRISE_ASSIGN(const ShaderProgram program, readProgram(vertex, fragment));
+  VariantOptions as_given;
+  as_given.strategy = "original";
+  return buildPackage(program, {}, as_given, {});
+}
+
+// The shadow passes have no shaders of their own: an empty package stands for them. The scenario's hash tells the shaders of passes, too.
+Result<std::vector<Package>> compilePasses(Scenario& scenario) {
+  std::vector<Package> packages(scenario.passes.size());
+  for (std::size_t i = 0; i < packages.size(); ++i) {
+    if (scenario.passes[i].kind == ScenePassKind::kShadow) continue;
+    REPRISE_ASSIGN(packages[i], compilePass(scenario, scenario.passes[i]));
+    scenario.hash = contentHash(scenario.hash + recipeToJson(packages[i].original));
+  }
+  return packages;
+}
+
+// Compiled shaders in place of sources, and the package that the profiler plays.
+Result<void> copyPass(const std::filesystem::path& directory, const Package& package, PassSpec& pass) {
+  if (pass.kind == ScenePassKind::kShadow) return {};
+  const Pass& played = package.original.passes.front();
+  pass.package = directory.string();
+  pass.vertex_path = (directory / (played.vertex_module + ".spv")).string();
+  pass.fragment_path = (directory / (played.fragment_module + ".spv")).string();
+  return writePackageFiles(package, directory);
 }
 
 // The model's file and those that it names, which keep their places relative to it.
@@ -50,7 +84,10 @@ Result<Subject> readSubjectUnranked(const std::filesystem::path& scenario_file) 
   REPRISE_ASSIGN(const CompiledShader vertex, scenario.vertex_path.empty() ? standardVertex(scenario, fragment)
                                                                            : compileStage(scenario, scenario.vertex_path, ShaderStage::kVertex));
   REPRISE_ASSIGN(subject.program, readProgram(vertex, fragment));
-  REPRISE_TRY(checkBindings(scenario, subject.program.interface));
+  REPRISE_ASSIGN(subject.passes, compilePasses(subject.scenario));
+  std::vector<ShaderInterface> pass_interfaces;
+  for (const Package& pass : subject.passes) pass_interfaces.push_back(pass.interface);
+  REPRISE_TRY(checkBindings(scenario, subject.program.interface, pass_interfaces));
   for (const CompiledShader* shader : {&fragment, &vertex})
     subject.included.insert(subject.included.end(), shader->dependencies.begin(), shader->dependencies.end());
   subject.limits.strict_depth_with_writes =
@@ -83,6 +120,7 @@ Result<void> copyInputs(const Subject& subject, const std::filesystem::path& sce
     REPRISE_TRY(writeFile(texture.path, bytes));
   }
   for (std::size_t i = 0; i < copy.models.size(); ++i) REPRISE_TRY(copyModel(directory / ("model_" + std::to_string(i)), copy.models[i]));
+  for (std::size_t i = 0; i < copy.passes.size(); ++i) REPRISE_TRY(copyPass(directory / ("pass_" + std::to_string(i)), subject.passes[i], copy.passes[i]));
   for (const SourceFile& source : subject.program.sources)
     REPRISE_TRY(writeFile(directory / "sources" / std::filesystem::path(source.path).filename(), source.text));
   return writeFile(scenario_file, writeScenario(copy, directory));

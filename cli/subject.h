@@ -15,6 +15,7 @@ struct Subject {
   Scenario scenario;
   ShaderProgram program;
   std::vector<Candidate> candidates;  // kept ones first, ranked
+  std::vector<Package> passes;        // by pass of the scenario: the shaders of G-buffer passes
   StateLimits limits;
   bool orthographic = false;
   std::vector<std::string> included;  // by the shaders, each file once

@@ -50,7 +50,7 @@ class Playback {
   Playback(Stage& stage, const std::string& png_dir) : stage_(stage), readback_(*stage.context), png_dir_(png_dir) {}
 
   Result<PlayedFrame> play(Player& player, int frame, std::uint32_t period_frames) {
-    stage_.renderer->setFrame(*stage_.session, evaluateFrame(stage_.scenario, *stage_.session, frame));
+    REPRISE_TRY(beginFrame(stage_, frame));
     REPRISE_TRY(stage_.commands->run(
         [&](VkCommandBuffer buffer) { return stage_.renderer->record(buffer, player, stage_.targets, period_frames, {}); }));
     PlayedFrame played;

@@ -1,8 +1,10 @@
 #include <algorithm>
 
+#include "profiler/scenario/check_passes.h"
 #include "profiler/scenario/diagnostics.h"
 #include "profiler/scenario/names.h"
 #include "profiler/scenario/near_names.h"
+#include "profiler/scenario/passes.h"
 #include "profiler/scenario/read_scenario.h"
 #include "profiler/scenario/standard_names.h"
 #include "profiler/scenario/track_size.h"
@@ -56,6 +58,7 @@ std::string semanticMismatch(Semantic semantic, const BlockMember& member) {
     case Semantic::kView:
     case Semantic::kProjection:
     case Semantic::kViewProjection:
+    case Semantic::kShadowViewProjection:
       return matrix && member.rows == 4 && member.columns == 4 ? "" : "a mat4";
     case Semantic::kModel:
       return matrix && member.rows >= 3 && member.columns == 4 ? "" : "a mat4 or mat4x3";
@@ -86,8 +89,31 @@ void checkTrack(const Track& track, const Member& member, const std::string& wha
                   place);
 }
 
-void checkUniforms(const Scenario& scenario, const ShaderInterface& interface, Diagnostics& diagnostics) {
-  const std::vector<Member> members = membersOf(interface);
+using Interfaces = std::vector<const ShaderInterface*>;
+
+// Blocks that passes have in common with the shader are bound once.
+std::vector<Member> membersOfAll(const Interfaces& interfaces) {
+  std::vector<Member> members;
+  for (const ShaderInterface* interface : interfaces)
+    for (Member& member : membersOf(*interface)) {
+      const bool known = std::any_of(members.begin(), members.end(), [&](const Member& other) { return other.name == member.name && other.shape == member.shape; });
+      if (!known) members.push_back(std::move(member));
+    }
+  return members;
+}
+
+Semantic semanticOf(const UniformBinding& binding) {
+  const auto* of_pass = std::get_if<PassSource>(&binding.source);
+  return of_pass ? of_pass->semantic : std::get<Semantic>(binding.source);
+}
+
+std::string sourceText(const UniformBinding& binding) {
+  const auto* of_pass = std::get_if<PassSource>(&binding.source);
+  return of_pass ? spellingOf(kPassSources, of_pass->semantic) : spellingOf(kSemantics, std::get<Semantic>(binding.source));
+}
+
+void checkUniforms(const Scenario& scenario, const Interfaces& interfaces, Diagnostics& diagnostics) {
+  const std::vector<Member> members = membersOfAll(interfaces);
   std::vector<std::string> names;
   for (const Member& member : members) names.push_back(member.name);
   for (const UniformBinding& binding : scenario.uniforms) {
@@ -99,11 +125,11 @@ void checkUniforms(const Scenario& scenario, const ShaderInterface& interface, D
       if (const auto* track = std::get_if<Track>(&binding.source)) {
         checkTrack(*track, member, what, diagnostics, binding.place);
       } else if (const std::string wanted =
-                     semanticMismatch(std::get<Semantic>(binding.source), member.shape);
+                     semanticMismatch(semanticOf(binding), member.shape);
                  !wanted.empty()) {
         diagnostics.add("value",
                         what + " is " + shapeText(member.shape) + ", but '" +
-                            spellingOf(kSemantics, std::get<Semantic>(binding.source)) + "' fills " + wanted,
+                            sourceText(binding) + "' fills " + wanted,
                         binding.place);
       }
       for (const SessionSpec& session : scenario.sessions) {
@@ -159,9 +185,11 @@ const char* unsupportedReason(const Descriptor& descriptor) {
   return nullptr;
 }
 
-void checkTextures(const Scenario& scenario, const ShaderInterface& interface, Diagnostics& diagnostics) {
-  std::vector<std::string> names;
+void checkDescriptors(const Scenario& scenario, const ShaderInterface& interface, std::vector<std::string>& names, Diagnostics& diagnostics) {
   for (const Descriptor& descriptor : interface.descriptors) {
+    const auto of_pass = findPassTexture(scenario, descriptor.name);
+    if (descriptor.kind == DescriptorKind::kCombinedImageSampler && descriptor.compares && !(of_pass && of_pass->depth))
+      diagnostics.add("unsupported", "'" + descriptor.name + "' is a sampler2DShadow, expected a [[pass]] whose depth has that name", {scenario.fragment_path, 0, 0});
     if (const char* reason = unsupportedReason(descriptor)) {
       diagnostics.add("unsupported",
                       "'" + descriptor.name + "' " + reason + ", which a scenario cannot fill yet",
@@ -170,6 +198,11 @@ void checkTextures(const Scenario& scenario, const ShaderInterface& interface, D
       names.push_back(descriptor.name);
     }
   }
+}
+
+void checkTextures(const Scenario& scenario, const Interfaces& interfaces, Diagnostics& diagnostics) {
+  std::vector<std::string> names;
+  for (const ShaderInterface* interface : interfaces) checkDescriptors(scenario, *interface, names, diagnostics);
   for (const TextureSpec& texture : scenario.textures) {
     if (diagnostics.full() || std::find(names.begin(), names.end(), texture.name) != names.end()) continue;
     diagnostics.add("unknown_texture",
@@ -177,7 +210,7 @@ void checkTextures(const Scenario& scenario, const ShaderInterface& interface, D
                     texture.place);
   }
   for (const std::string& name : names) {
-    if (isStandardTexture(name)) continue;
+    if (isStandardTexture(name) || findPassTexture(scenario, name)) continue;
     const bool given = std::any_of(scenario.textures.begin(), scenario.textures.end(),
                                    [&](const TextureSpec& texture) { return texture.name == name; });
     if (!given) {
@@ -234,12 +267,15 @@ void checkOutputs(const Scenario& scenario, const ShaderInterface& interface, Di
 
 }  // namespace
 
-Result<void> checkBindings(const Scenario& scenario, const ShaderInterface& interface) {
+Result<void> checkBindings(const Scenario& scenario, const ShaderInterface& interface, std::span<const ShaderInterface> passes) {
   Diagnostics diagnostics;
+  Interfaces interfaces = {&interface};
+  for (const ShaderInterface& pass : passes) interfaces.push_back(&pass);
   // In this order: what is misspelled in the scenario comes before what is missing for that reason.
-  checkUniforms(scenario, interface, diagnostics);
-  checkTextures(scenario, interface, diagnostics);
-  checkVertexInputs(scenario, interface, diagnostics);
+  checkUniforms(scenario, interfaces, diagnostics);
+  checkTextures(scenario, interfaces, diagnostics);
+  checkPasses(scenario, interface, passes, diagnostics);
+  for (const ShaderInterface* each : interfaces) checkVertexInputs(scenario, *each, diagnostics);
   checkOutputs(scenario, interface, diagnostics);
   if (diagnostics.errors.empty()) return {};
   return mergeErrors(diagnostics);

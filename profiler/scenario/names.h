@@ -31,6 +31,7 @@ inline constexpr NameWithValue<Semantic> kSemantics[] = {{"view", Semantic::kVie
                                                       {"time", Semantic::kTime},
                                                       {"frame", Semantic::kFrame},
                                                       {"resolution", Semantic::kResolution},
+                                                      {"shadow_view_projection", Semantic::kShadowViewProjection},
                                                       {"joint_matrices", Semantic::kJointMatrices},
                                                       {"joint_count", Semantic::kJointCount},
                                                       {"morph_weights", Semantic::kMorphWeights},
@@ -53,6 +54,14 @@ inline constexpr NameWithValue<TextureKind> kTextureKinds[] = {{"file", TextureK
 
 inline constexpr bool hasSeed(TextureKind kind) { return kind == TextureKind::kNoise || kind == TextureKind::kBumps; }
 inline constexpr bool hasCells(TextureKind kind) { return kind == TextureKind::kChecker || hasSeed(kind); }
+
+inline constexpr NameWithValue<ScenePassKind> kScenePassKinds[] = {{"shadow", ScenePassKind::kShadow}, {"gbuffer", ScenePassKind::kGBuffer}};
+
+// Keys of uniform sources such as { pass_view_projection = "shadow_map" }.
+inline constexpr NameWithValue<Semantic> kPassSources[] = {{"pass_view_projection", Semantic::kViewProjection},
+                                                        {"pass_view", Semantic::kView},
+                                                        {"pass_projection", Semantic::kProjection},
+                                                        {"pass_position", Semantic::kCameraPosition}};
 
 inline constexpr NameWithValue<CullMode> kCullModes[] = {
     {"none", CullMode::kNone}, {"back", CullMode::kBack}, {"front", CullMode::kFront}};

@@ -6,6 +6,7 @@
 #include "profiler/scenario/near_names.h"
 #include "profiler/scenario/read_models.h"
 #include "profiler/scenario/read_motion.h"
+#include "profiler/scenario/read_passes.h"
 #include "profiler/scenario/read_sections.h"
 #include "profiler/scenario/scenario_hash.h"
 #include "runtime/base/file.h"
@@ -135,6 +136,7 @@ void readRoot(const TomlNode& document, const fs::path& directory, Scenario& sce
     scenario.uniforms = readUniforms(*uniforms, diagnostics);
   }
   readTextures(root, directory, scenario);
+  readPasses(root, directory, scenario);
   expectModest(scenario, document.place, diagnostics);
   readSessions(root, scenario);
   root.finish();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "profiler/scenario/scenario.h"
@@ -21,7 +22,8 @@ std::string writeScenario(const Scenario& scenario, const std::filesystem::path&
 // Holds the bindings against the shaders: every uniform-block and push-constant member bound exactly once and of a fitting
 // size, every texture given, every vertex input one of position, normal, tangent, uv, color. Errors (kInput, with place):
 // scenario.unbound (nobody binds it), scenario.unknown_uniform, scenario.unknown_texture (the shader lacks it; near names),
-// scenario.vertex_input, scenario.outputs (colour formats and outputs differ in number), scenario.unsupported.
-Result<void> checkBindings(const Scenario& scenario, const ShaderInterface& interface);
+// scenario.vertex_input, scenario.outputs (colour formats and outputs differ in number), scenario.unsupported, scenario.pass_order
+// (a pass reads a texture before that is rendered). passes: the interface of each G-buffer pass, by pass.
+Result<void> checkBindings(const Scenario& scenario, const ShaderInterface& interface, std::span<const ShaderInterface> passes = {});
 
 }  // namespace reprise

@@ -7,6 +7,7 @@
 #include "profiler/scenario/near_names.h"
 #include "profiler/scenario/read_camera.h"
 #include "profiler/scenario/read_motion.h"
+#include "profiler/scenario/read_passes.h"
 #include "profiler/scenario/track_size.h"
 
 namespace reprise {
@@ -112,6 +113,10 @@ void readFormats(TableReader& reader, std::vector<std::string>& formats) {
 UniformBinding readUniform(const std::string& member, const Entry& entry, Diagnostics& diagnostics) {
   UniformBinding binding{member, FixedTrack{{0}}, entry.key_place};
   const TomlNode& value = entry.value;
+  if (std::optional<PassSource> source = readPassSource(value, "uniform '" + member + "'", diagnostics)) {
+    binding.source = *source;
+    return binding;
+  }
   if (value.kind != NodeKind::kText) {
     if (std::optional<Track> track = readTrack(value, "uniform '" + member + "'", 0, diagnostics))
       binding.source = *track;

@@ -142,15 +142,23 @@ struct ModelSpec {
 
 enum class Semantic {
   kView, kProjection, kViewProjection, kModel, kNormalMatrix, kCameraPosition, kTime, kFrame, kResolution,
+  kShadowViewProjection,  // of the light of the shadow pass `shadow_map`
   // Of models; of other objects as for the unit material, no joints, no morphing, no lights.
   kJointMatrices, kJointCount, kMorphWeights, kBaseColorFactor, kMetallicRoughness, kEmissiveFactor, kAlphaCutoff,
   kLightPosition, kLightColor, kLightDirection, kLightCount
 };
 
+// kView, kProjection, kViewProjection or kCameraPosition as a pass sees the scene: that of its light, or the camera's.
+struct PassSource {
+  std::string pass;
+  Semantic semantic = Semantic::kViewProjection;
+  bool operator==(const PassSource&) const = default;
+};
+
 // Where a uniform member's value comes from. "block.member" names it in `UniformBinding::member`.
 struct UniformBinding {
   std::string member;
-  std::variant<Semantic, Track> source;
+  std::variant<Semantic, Track, PassSource> source;
   Place place;
   bool operator==(const UniformBinding&) const = default;
 };
@@ -175,6 +183,34 @@ struct TextureSpec {
   bool srgb = false;
   Place place;
   bool operator==(const TextureSpec&) const = default;
+};
+
+enum class ScenePassKind { kShadow, kGBuffer };
+
+struct PassOutput {
+  std::string texture;                   // by which shaders know it
+  std::string format = "rgba16_sfloat";  // as in RenderState::color_formats
+  bool linear = false;                   // filter
+  bool operator==(const PassOutput&) const = default;
+};
+
+// What is rendered before the shader in every frame, for it and for later passes to read.
+struct PassSpec {
+  std::string name;                      // of a shadow pass: of its texture, too
+  ScenePassKind kind = ScenePassKind::kShadow;
+  // kShadow: the depth of the objects as the light sees them, `size` texels square.
+  Camera light;
+  std::array<float, 3> color = {3, 3, 3};  // what the light of the standard shader emits
+  std::uint32_t size = 1024;
+  float slope_bias = 2;
+  std::vector<std::string> objects;      // of objects and models; empty: all
+  // kGBuffer: all objects with shaders of its own, as the camera sees them and at the render's size.
+  std::string fragment_path, vertex_path;  // absolute; no vertex shader: the scenario's
+  std::string package;                   // directory of the compiled pair; copyInputs makes it
+  std::vector<PassOutput> outputs;
+  std::string depth_texture;             // empty: its depth is not read
+  Place place;
+  bool operator==(const PassSpec&) const = default;
 };
 
 enum class CullMode { kNone, kBack, kFront };
@@ -224,6 +260,7 @@ struct Scenario {
   std::vector<UniformBinding> uniforms;
   Place uniforms_place;             // of [uniforms]; of the file where there is none
   std::vector<TextureSpec> textures;
+  std::vector<PassSpec> passes;     // in the order in which they are rendered
   RenderState state;
   std::vector<SessionSpec> sessions;
   ToneMap tone_map = ToneMap::kNone;

@@ -17,6 +17,10 @@ Result<std::string> hashScenario(const Scenario& scenario) {
     REPRISE_ASSIGN(const std::string bytes, readFile(texture.path));
     texture.path = contentHash(bytes);
   }
+  for (PassSpec& pass : bare.passes) {
+    pass.fragment_path = pass.kind == ScenePassKind::kGBuffer ? "shader" : "";
+    pass.vertex_path = pass.package = "";
+  }
   // The figure's shape is told by the scenario itself.
   for (ModelSpec& model : bare.models)
     if (!model.path.empty() && model.scene) model.path = model.scene->hash;

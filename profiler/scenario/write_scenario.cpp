@@ -260,7 +260,30 @@ std::string modelText(const ModelSpec& model, const fs::path& directory) {
          "\nmotion = " + motionText(model.motion) + "\n";
 }
 
+std::string passText(const PassSpec& pass, const fs::path& directory) {
+  std::string text = "\n[[pass]]\nname = " + quoted(pass.name) + "\nkind = " + quoted(spellingOf(kScenePassKinds, pass.kind)) + "\n";
+  if (pass.kind == ScenePassKind::kShadow) {
+    text += "light = " + cameraText(pass.light) + "\ncolor = " + numbers(pass.color) + "\nsize = " + std::to_string(pass.size) +
+            "\nslope_bias = " + number(pass.slope_bias) + "\nobjects = [";
+    for (std::size_t i = 0; i < pass.objects.size(); ++i) text += (i > 0 ? ", " : "") + quoted(pass.objects[i]);
+    return text + "]\n";
+  }
+  text += "fragment = " + relativePath(pass.fragment_path, directory) + "\n";
+  if (!pass.vertex_path.empty()) text += "vertex = " + relativePath(pass.vertex_path, directory) + "\n";
+  if (!pass.package.empty()) text += "package = " + relativePath(pass.package, directory) + "\n";
+  if (!pass.depth_texture.empty()) text += "depth = " + quoted(pass.depth_texture) + "\n";
+  text += "outputs = [";
+  for (std::size_t i = 0; i < pass.outputs.size(); ++i) {
+    const PassOutput& output = pass.outputs[i];
+    text += (i > 0 ? ", " : "") + ("{ texture = " + quoted(output.texture)) + ", format = " + quoted(output.format) +
+            ", linear = " + truth(output.linear) + " }";
+  }
+  return text + "]\n";
+}
+
 std::string uniformText(const UniformBinding& binding) {
+  if (const auto* source = std::get_if<PassSource>(&binding.source))
+    return quoted(binding.member) + " = { " + spellingOf(kPassSources, source->semantic) + " = " + quoted(source->pass) + " }\n";
   const auto* semantic = std::get_if<Semantic>(&binding.source);
   return quoted(binding.member) + " = " +
          (semantic ? quoted(spellingOf(kSemantics, *semantic)) : trackText(std::get<Track>(binding.source))) +
@@ -281,6 +304,7 @@ std::string writeScenario(const Scenario& scenario, const fs::path& directory) {
   text += "\n[uniforms]\n";
   for (const UniformBinding& binding : scenario.uniforms) text += uniformText(binding);
   for (const TextureSpec& texture : scenario.textures) text += textureText(texture, directory);
+  for (const PassSpec& pass : scenario.passes) text += passText(pass, directory);
   for (const SessionSpec& session : scenario.sessions) text += sessionText(session);
   return text;
 }

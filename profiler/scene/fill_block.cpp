@@ -5,6 +5,7 @@
 #include <glm/matrix.hpp>
 #include <limits>
 
+#include "profiler/scenario/passes.h"
 #include "profiler/scenario/standard_names.h"
 #include "profiler/scene/frame_state.h"
 #include "profiler/scene/model_values.h"
@@ -104,6 +105,29 @@ std::string blockOf(const std::string& member) {
   return member.substr(0, member.find('.'));
 }
 
+// What a member gets from a source that is no track.
+struct SourceFill {
+  const Scenario& scenario;
+  const FrameState& state;
+  std::size_t object;
+  const BlockMember& member;
+
+  std::vector<float> operator()(Semantic semantic) const {
+    if (isModelSemantic(semantic)) return modelValues(semantic, scenario, state, object);
+    if (semantic != Semantic::kShadowViewProjection) return semanticValues(semantic, state, object, member);
+    const auto shadow = standardShadow(scenario);
+    return shadow ? fromPass(*shadow, Semantic::kViewProjection) : std::vector<float>{};
+  }
+  std::vector<float> operator()(const PassSource& source) const {
+    const auto pass = findPass(scenario, source.pass);
+    return pass ? fromPass(*pass, source.semantic) : std::vector<float>{};
+  }
+  std::vector<float> operator()(const Track&) const { return {}; }
+  std::vector<float> fromPass(std::size_t pass, Semantic semantic) const {
+    return semanticValues(semantic, seenByPass(scenario, state, pass), object, member);
+  }
+};
+
 }  // namespace
 
 std::vector<std::byte> fillBlock(const Scenario& scenario, const SessionSpec& session,
@@ -118,19 +142,14 @@ std::vector<std::byte> fillBlock(const Scenario& scenario, const SessionSpec& se
     const auto member =
         std::find_if(members.begin(), members.end(), [&](const BlockMember& m) { return m.name == name; });
     if (member == members.end()) continue;
-    if (const Track* track = trackOf(binding, session)) {
-      storeMember(block, *member, evaluateTrack(*track, time_s, scenario.seed));
-    } else {
-      const Semantic semantic = std::get<Semantic>(binding.source);
-      storeMember(block, *member, isModelSemantic(semantic) ? modelValues(semantic, scenario, state, object)
-                                                            : semanticValues(semantic, state, object, *member));
-    }
+    const Track* track = trackOf(binding, session);
+    storeMember(block, *member, track ? evaluateTrack(*track, time_s, scenario.seed)
+                                      : std::visit(SourceFill{scenario, state, object, *member}, binding.source));
   }
   for (const BlockMember& member : members) {
     const auto semantic = standardSemantic(block_name + "." + member.name);
     if (!semantic) continue;
-    storeMember(block, member, isModelSemantic(*semantic) ? modelValues(*semantic, scenario, state, object)
-                                                          : semanticValues(*semantic, state, object, member));
+    storeMember(block, member, SourceFill{scenario, state, object, member}(*semantic));
   }
   return block;
 }

@@ -56,6 +56,14 @@ FrameState evaluateFrame(const Scenario& scenario, const SessionSpec& session, i
   state.view = camera.view;
   state.projection = projectionMatrix(session.camera, camera.fov_y_deg,
                                       static_cast<float>(scenario.width) / static_cast<float>(scenario.height));
+  for (const PassSpec& pass : scenario.passes) {
+    if (pass.kind != ScenePassKind::kShadow) {
+      state.pass_views.push_back({state.view, state.projection, state.camera_position});
+      continue;
+    }
+    const CameraPose light = cameraPoseAt(pass.light, moment, state);
+    state.pass_views.push_back({light.view, projectionMatrix(pass.light, light.fov_y_deg, 1), light.eye});
+  }
   for (const Object& object : scenario.objects) {
     if (object.part) {
       const GltfInstance& instance = scenario.models[object.part->model].scene->instances[object.part->instance];
@@ -68,6 +76,16 @@ FrameState evaluateFrame(const Scenario& scenario, const SessionSpec& session, i
         override_motion == session.motions.end() ? object.motion : override_motion->second, moment));
   }
   return state;
+}
+
+FrameState seenByPass(const Scenario& scenario, const FrameState& state, std::size_t pass) {
+  FrameState seen = state;
+  const PassView& view = state.pass_views.at(pass);
+  seen.view = view.view;
+  seen.projection = view.projection;
+  seen.camera_position = view.position;
+  if (scenario.passes[pass].kind == ScenePassKind::kShadow) seen.width = seen.height = scenario.passes[pass].size;
+  return seen;
 }
 
 }  // namespace reprise

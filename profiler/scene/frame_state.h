@@ -23,6 +23,12 @@ namespace reprise {
 // Of the front faces of all built-in meshes under FrameState::projection.
 inline constexpr bool kFrontFaceCounterClockwise = true;
 
+// What a pass sees the scene by: its light, or the camera.
+struct PassView {
+  glm::mat4 view{1}, projection{1};
+  glm::vec3 position{0};
+};
+
 struct FrameState {
   int frame = 0;
   float time_s = 0;       // frame * frame_time_s * session speed
@@ -32,11 +38,15 @@ struct FrameState {
   std::vector<glm::mat4> models;     // by object; of a skinned part without its node, as the joints hold that
   std::vector<GltfPose> poses;       // by model
   std::vector<glm::mat4> placements; // by model: its motion
+  std::vector<PassView> pass_views;  // by pass
 };
 
 // View (looking at the target, or along -up's perpendicular where eye and target coincide), projection and models of a frame.
 // model = translate * rotate_z * rotate_y * rotate_x * spin * scale; orbits and spins turn by their step * frame * speed.
 FrameState evaluateFrame(const Scenario& scenario, const SessionSpec& session, int frame);
+
+// The same frame as a pass sees it: with its view, projection and camera position, and for a shadow pass its size.
+FrameState seenByPass(const Scenario& scenario, const FrameState& state, std::size_t pass);
 
 // The bytes of a uniform block or push-constant range for one object, by the scenario's bindings; members nobody binds stay
 // zero. block_name is the one before the dot in UniformBinding::member. Values are laid out by the members' offsets and

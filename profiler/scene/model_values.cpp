@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "profiler/scenario/passes.h"
 
 namespace reprise {
 namespace {
@@ -34,8 +37,20 @@ struct PlacedLight {
   glm::vec4 position, color, direction;
 };
 
+// The light of a shadow pass shines from where the pass looks from: a sun where it is orthographic, else a spot.
+PlacedLight lightOfPass(const PassSpec& pass, const PassView& view) {
+  const glm::vec3 ahead = -glm::vec3(view.view[0][2], view.view[1][2], view.view[2][2]);
+  PlacedLight light;
+  light.position = pass.light.orthographic ? glm::vec4(-ahead, 0) : glm::vec4(view.position, 1);
+  light.color = {pass.color[0], pass.color[1], pass.color[2], 0};
+  light.direction = {ahead, pass.light.orthographic ? kNoCone : std::cos(glm::radians(pass.light.fov_y_deg) / 2)};
+  return light;
+}
+
 std::vector<PlacedLight> lightsOf(const Scenario& scenario, const FrameState& state) {
   std::vector<PlacedLight> lights;
+  if (const auto shadow = standardShadow(scenario); shadow && *shadow < state.pass_views.size())
+    lights.push_back(lightOfPass(scenario.passes[*shadow], state.pass_views[*shadow]));
   for (std::size_t m = 0; m < scenario.models.size(); ++m) {
     const GltfScene& scene = *scenario.models[m].scene;
     for (const int index : scene.order) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "profiler/scenario/passes.h"
 #include "profiler/scenario/standard_names.h"
 
 namespace reprise {
@@ -42,7 +43,7 @@ ModelTextures listModelTextures(const Scenario& scenario, const ShaderInterface&
   for (const Descriptor& descriptor : interface.descriptors) {
     if (descriptor.kind != DescriptorKind::kCombinedImageSampler || !isStandardTexture(descriptor.name)) continue;
     const bool given = std::any_of(scenario.textures.begin(), scenario.textures.end(), [&](const TextureSpec& spec) { return spec.name == descriptor.name; });
-    if (given) continue;
+    if (given || findPassTexture(scenario, descriptor.name)) continue;
     for (const Object& object : scenario.objects) {
       ModelTexture texture = chosen(scenario, object, descriptor.name);
       const auto key = std::make_tuple(texture.image, texture.image ? std::string() : descriptor.name, texture.spec.linear, texture.spec.repeat, texture.spec.srgb);

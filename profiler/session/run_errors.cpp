@@ -90,7 +90,7 @@ class ErrorRun {
     std::vector<Outputs> last(batch.count);
     const int frames = frameCount(job_, stage_);
     for (int frame = 0; frame < frames; ++frame) {
-      stage_.renderer->setFrame(*stage_.session, evaluateFrame(stage_.scenario, *stage_.session, frame));
+      REPRISE_TRY(beginFrame(stage_, frame, job_.fence_timeout_s));
       std::swap(original_.last, original_.current);
       REPRISE_TRY(render(original, 1, original_));
       if (!all_count) REPRISE_TRY(readDepth());

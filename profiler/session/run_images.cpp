@@ -57,7 +57,7 @@ class ImageRun {
     REPRISE_ASSIGN(std::deque<Player> players, createPlayers(stage_));
     const int last_frame = job_.strip_frames.empty() ? job_.image_frame : std::max(job_.image_frame, job_.strip_frames.back());
     for (int frame = 0; frame <= last_frame; ++frame) {
-      stage_.renderer->setFrame(*stage_.session, evaluateFrame(stage_.scenario, *stage_.session, frame));
+      REPRISE_TRY(beginFrame(stage_, frame, job_.fence_timeout_s));
       const bool shown = frame == job_.image_frame;
       const bool in_strip = std::binary_search(job_.strip_frames.begin(), job_.strip_frames.end(), frame);
       const std::string strip = "strip_" + std::to_string(frame);

@@ -112,7 +112,7 @@ Result<JobResult> runProbe(const Job& job, const JobListener& progress) {
   for (int step = 0; step < frames; ++step) {
     // Spread over the whole session: the range matters, not the order.
     const int frame = frames > 1 ? step * (session_frames - 1) / (frames - 1) : 0;
-    stage->renderer->setFrame(*stage->session, evaluateFrame(stage->scenario, *stage->session, frame));
+    REPRISE_TRY(beginFrame(*stage, frame, job.fence_timeout_s));
     const auto render = [&](Player& player) {
       player.invalidate();
       return stage->commands->run([&](VkCommandBuffer buffer) { return stage->renderer->record(buffer, player, stage->targets, 1, {}); }, job.fence_timeout_s);

@@ -40,7 +40,7 @@ class TimeRun {
     result.times.resize(players.size());
     const int total = job_.warmup_frames + job_.rounds;
     for (int round = 0; round < total; ++round) {
-      stage_.renderer->setFrame(*stage_.session, evaluateFrame(stage_.scenario, *stage_.session, round));
+      REPRISE_TRY(beginFrame(stage_, round, job_.fence_timeout_s));
       for (std::size_t i = 0; i < players.size(); ++i) {
         const std::size_t entry = round % 2 == 0 ? i : players.size() - 1 - i;
         REPRISE_ASSIGN(TimeRow row, timeFrame(players[entry], job_.entries[entry].period_frames));

@@ -46,14 +46,16 @@ std::vector<DeformVertex> deformOf(const Scenario& scenario, const Object& objec
 
 class SceneBuilder {
  public:
-  SceneBuilder(const Context& context, Commands& commands, const Scenario& scenario, const ShaderInterface& interface)
-      : context_(context), device_(context.view()), commands_(commands), scenario_(scenario), interface_(interface) {}
+  SceneBuilder(const Context& context, Commands& commands, const SceneSource& source)
+      : context_(context), device_(context.view()), commands_(commands), scenario_(*source.scenario), interface_(*source.interface),
+        textures_(*source.textures) {}
 
   Result<SceneObjects> build() {
     REPRISE_TRY(supported());
     REPRISE_TRY(uploadMeshes());
     REPRISE_TRY(createLayouts());
     REPRISE_TRY(createBlocks());
+    listPushConstants();
     REPRISE_TRY(uploadTextures());
     REPRISE_TRY(createSets());
     return std::move(scene_);
@@ -112,6 +114,13 @@ class SceneBuilder {
       scene_.blocks.push_back(std::move(block));
     }
     return {};
+  }
+
+  void listPushConstants() {
+    for (const PushConstantRange& range : interface_.push_constants) {
+      scene_.push_ranges.push_back({range.stages, range.offset, range.size_bytes});
+      scene_.push_bytes = std::max(scene_.push_bytes, range.offset + range.size_bytes);
+    }
   }
 
   Result<void> uploadTextures() {
@@ -202,6 +211,9 @@ class SceneBuilder {
         const BlockSlots& slots = scene_.blocks[block++];
         buffer = {slots.buffer.buffer.get(), slots.stride * object, slots.stride};
         write.pBufferInfo = &buffer;
+      } else if (const auto of_pass = passTexture(scenario_, textures_, descriptor)) {
+        image = *of_pass;
+        write.pImageInfo = &image;
       } else {
         const std::size_t index = textureIndex(descriptor.name, object);
         image = {scene_.samplers[index].get(), scene_.textures[index].view.get(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
@@ -224,6 +236,7 @@ class SceneBuilder {
   Commands& commands_;
   const Scenario& scenario_;
   const ShaderInterface& interface_;
+  const PassTextures& textures_;
   SceneObjects scene_;
   ModelTextures models_;
 };
@@ -236,9 +249,8 @@ bool readsDeformation(const ShaderInterface& interface) {
                      [&](const VertexInput& input) { return std::find(names.begin(), names.end(), input.name) != names.end(); });
 }
 
-Result<SceneObjects> createSceneObjects(const Context& context, Commands& commands, const Scenario& scenario,
-                                        const ShaderInterface& interface) {
-  return SceneBuilder(context, commands, scenario, interface).build();
+Result<SceneObjects> createSceneObjects(const Context& context, Commands& commands, const SceneSource& source) {
+  return SceneBuilder(context, commands, source).build();
 }
 
 }  // namespace reprise

@@ -2,20 +2,15 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "profiler/scene/frame_state.h"
+#include "profiler/session/render_targets.h"
 #include "profiler/session/scene_objects.h"
 #include "runtime/playback/player.h"
 
 namespace reprise {
-
-// Colour and depth targets of one frame, in attachment layouts.
-struct RenderTargets {
-  std::vector<Image> colors;
-  Image depth;
-  VkExtent2D extent = {};
-};
 
 // Queries of one frame; null handles: none.
 struct FrameQueries {
@@ -26,8 +21,15 @@ class SceneRenderer {
  public:
   // scenario and interface must outlive the renderer. Errors: as createSceneObjects.
   static Result<SceneRenderer> create(const Context& context, Commands& commands, const Scenario& scenario, const ShaderInterface& interface);
+  // The same with the textures of passes that another renderer has made.
+  static Result<SceneRenderer> create(const Context& context, Commands& commands, const SceneSource& source);
   SceneRenderer(SceneRenderer&&) noexcept;
   ~SceneRenderer();
+
+  // Before the first frame of a scenario with passes. original: whose vertex shader the shadow passes use; packages: of the G-buffer
+  // passes, by pass. Errors: those of Player::create.
+  Result<void> createPasses(Commands& commands, const Package& original, std::span<const Package> packages);
+  bool hasPasses() const;
 
   Result<RenderTargets> createTargets(Commands& commands) const;
   // A player for this scene's pipeline.
@@ -35,6 +37,8 @@ class SceneRenderer {
 
   // Fills uniform memory for a frame; the same for every player of that frame.
   void setFrame(const SessionSpec& session, const FrameState& state);
+  // Records the passes before the shader, once for all players of the frame that setFrame set.
+  Result<void> recordPasses(VkCommandBuffer commands) const;
   // Records the frame that setFrame set.
   Result<void> record(VkCommandBuffer commands, Player& player, const RenderTargets& targets, std::uint32_t period_frames,
                       const FrameQueries& queries) const;

@@ -5,6 +5,22 @@
 #include "profiler/scenario/read_scenario.h"
 
 namespace reprise {
+namespace {
+
+Result<std::vector<Package>> readPasses(const Scenario& scenario) {
+  std::vector<Package> packages(scenario.passes.size());
+  for (std::size_t pass = 0; pass < packages.size(); ++pass) {
+    const PassSpec& spec = scenario.passes[pass];
+    if (spec.kind == ScenePassKind::kShadow) continue;
+    if (spec.package.empty())
+      return Error{ErrorKind::kInput, "session.pass", "the pass '" + spec.name + "' has no 'package': its shaders are compiled by 'reprise optimize', which "
+                   "leaves a scenario with them in its output directory", spec.place};
+    REPRISE_ASSIGN(packages[pass], readPackage(spec.package));
+  }
+  return packages;
+}
+
+}  // namespace
 
 Result<std::unique_ptr<Stage>> setStage(const Job& job) {
   auto stage = std::make_unique<Stage>();
@@ -16,7 +32,10 @@ Result<std::unique_ptr<Stage>> setStage(const Job& job) {
   if (stage->session == nullptr)
     return Error{ErrorKind::kInput, "session.unknown", "the scenario has no session '" + job.session + "'", {job.scenario_path, 0, 0}};
   REPRISE_ASSIGN(stage->original, readPackage(job.original_dir));
-  REPRISE_TRY(checkBindings(stage->scenario, stage->original.interface));
+  REPRISE_ASSIGN(stage->passes, readPasses(stage->scenario));
+  std::vector<ShaderInterface> pass_interfaces;
+  for (const Package& pass : stage->passes) pass_interfaces.push_back(pass.interface);
+  REPRISE_TRY(checkBindings(stage->scenario, stage->original.interface, pass_interfaces));
   if (job.kind == JobKind::kProbe)
     stage->scenario.state.color_formats.assign(stage->original.interface.outputs.size(), "rgba32_sfloat");
   for (const JobEntry& entry : job.entries) {
@@ -34,8 +53,15 @@ Result<std::unique_ptr<Stage>> setStage(const Job& job) {
   stage->commands = std::make_unique<Commands>(std::move(commands));
   REPRISE_ASSIGN(SceneRenderer renderer, SceneRenderer::create(*stage->context, *stage->commands, stage->scenario, stage->original.interface));
   stage->renderer = std::make_unique<SceneRenderer>(std::move(renderer));
+  REPRISE_TRY(stage->renderer->createPasses(*stage->commands, stage->original, stage->passes));
   REPRISE_ASSIGN(stage->targets, stage->renderer->createTargets(*stage->commands));
   return stage;
+}
+
+Result<void> beginFrame(Stage& stage, int frame, double timeout_s) {
+  stage.renderer->setFrame(*stage.session, evaluateFrame(stage.scenario, *stage.session, frame));
+  if (!stage.renderer->hasPasses()) return {};
+  return stage.commands->run([&](VkCommandBuffer buffer) { return stage.renderer->recordPasses(buffer); }, timeout_s);
 }
 
 Result<Player> createPlayer(const Stage& stage, const Package& package) {

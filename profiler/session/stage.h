@@ -21,6 +21,7 @@ struct Stage {
   Scenario scenario;
   const SessionSpec* session = nullptr;
   Package original;
+  std::vector<Package> passes;      // by pass of the scenario; of G-buffer passes
   std::deque<Package> packages;     // by entry
   std::unique_ptr<Context> context;
   std::unique_ptr<Commands> commands;
@@ -31,6 +32,10 @@ struct Stage {
 // Probes render to RGBA32F targets, so that no value is hidden by a format. Errors: those of readScenario, readPackage,
 // checkBindings, Context and SceneRenderer; session.unknown, job.interface (kInput; a package made from other shaders).
 Result<std::unique_ptr<Stage>> setStage(const Job& job);
+
+// Evaluates a frame of the session, fills the uniforms and renders the passes before the shader in a submission of their own: once for
+// all players, outside of every time that is measured. Errors: those of Commands::run.
+Result<void> beginFrame(Stage& stage, int frame, double timeout_s = 20);
 
 // The player of a package's variant, or of all entries; one whose requirements are missing here is an error (kMeasurement): player.requirement.
 Result<Player> createPlayer(const Stage& stage, const Package& package);

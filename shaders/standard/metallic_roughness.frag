@@ -2,9 +2,13 @@
 // glTF 2.0's metallic-roughness material (appendix B of its specification), lit by a latitude/longitude environment, sampled over
 // the lobes, and by punctual lights; tone-mapped (Narkowicz 2015) and encoded as sRGB.
 //
-// Defines that the scenario's models decide: NORMAL_MAP, ALPHA_MASK, DOUBLE_SIDED, LIGHTS (the number of lights), SAMPLES.
+// Defines that the scenario's models and passes decide: NORMAL_MAP, ALPHA_MASK, DOUBLE_SIDED, LIGHTS (the number of lights), SHADOW_MAP
+// (light 0 is that of the shadow pass). SAMPLES (of the environment, for each lobe) and SHADOW_SPREAD (texels from tap to tap) are the user's.
 #ifndef SAMPLES
 #define SAMPLES 12
+#endif
+#ifndef SHADOW_SPREAD
+#define SHADOW_SPREAD 1.0
 #endif
 layout(location = 0) in vec3 world_position;
 layout(location = 1) in vec3 world_normal;
@@ -38,6 +42,10 @@ layout(set = 0, binding = 5) uniform sampler2D normal_map;
 layout(set = 0, binding = 6) uniform sampler2D occlusion_map;
 layout(set = 0, binding = 7) uniform sampler2D emissive_map;
 layout(set = 0, binding = 8) uniform sampler2D environment_map;
+#ifdef SHADOW_MAP
+layout(set = 0, binding = 9, std140) uniform StandardShadow { mat4 shadow_view_projection; };
+layout(set = 0, binding = 10) uniform sampler2DShadow shadow_map;
+#endif
 
 const float kPi = 3.14159265;
 
@@ -60,8 +68,23 @@ float visibility(float n_l, float n_v, float alpha) {
 
 vec3 fresnel(vec3 f0, float cosine) { return f0 + (1.0 - f0) * pow(1.0 - cosine, 5.0); }
 
-// How much of a light arrives: the place where a shadow map comes in.
-float shadowOf(int light) { return 1.0; }
+// How much of a light arrives: percentage-closer filtering over 4 x 4 taps (Reeves et al. 1987). What the light does not see is lit.
+float shadowOf(int light) {
+#ifdef SHADOW_MAP
+  if (light == 0) {
+    vec4 place = shadow_view_projection * vec4(world_position, 1.0);
+    vec3 seen = vec3(place.xy / place.w * 0.5 + 0.5, place.z / place.w);
+    vec2 texel = SHADOW_SPREAD / vec2(textureSize(shadow_map, 0));
+    float sum = 0.0;
+    for (int tap = 0; tap < 16; ++tap) {
+      vec2 offset = vec2(float(tap & 3) - 1.5, float(tap >> 2) - 1.5) * texel;
+      sum += textureLod(shadow_map, vec3(seen.xy + offset, seen.z), 0.0);
+    }
+    return place.w > 0.0 && seen.z <= 1.0 ? sum / 16.0 : 1.0;
+  }
+#endif
+  return 1.0;
+}
 
 vec3 lightOf(vec3 normal, vec3 view, vec3 diffuse, vec3 f0, float alpha) {
   vec3 sum = vec3(0);

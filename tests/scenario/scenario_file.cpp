@@ -88,6 +88,7 @@ Scenario withoutPlaces(Scenario scenario) {
   for (UniformBinding& binding : scenario.uniforms) binding.place = {};
   for (ModelSpec& model : scenario.models) model.place = {};
   for (TextureSpec& texture : scenario.textures) texture.place = {};
+  for (PassSpec& pass : scenario.passes) pass.place = {};
   return scenario;
 }
 
