@@ -25,7 +25,7 @@ clear = [0.05, 0.06, 0.08, 1]
 [[model]]
 name = "model"
 file = "{file}"
-
+{sun}
 [[session]]
 name = "orbit"
 role = "training"
@@ -61,6 +61,15 @@ near = {near}
 far = {far}
 )";
 
+// For models without lights of their own: high, to the right and in front.
+constexpr const char* kSun = R"(
+[[pass]]
+name = "shadow_map"
+kind = "shadow"
+color = [3.0, 2.9, 2.7]
+light = {{ eye = {eye}, target = {center}, orthographic = true, ortho_height = {height}, near = {near}, far = {far} }}
+)";
+
 std::string vectorText(const glm::vec3& v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); }
 
 std::string escaped(const std::string& text) {
@@ -70,6 +79,14 @@ std::string escaped(const std::string& text) {
     out += letter;
   }
   return out;
+}
+
+std::string sunText(const GltfScene& scene, const glm::vec3& center, float radius) {
+  const bool lit = std::any_of(scene.nodes.begin(), scene.nodes.end(), [](const GltfNode& node) { return node.light >= 0; });
+  if (lit) return "";
+  using namespace fmt::literals;
+  return fmt::format(fmt::runtime(kSun), "eye"_a = vectorText(center + 3 * radius * glm::normalize(glm::vec3(0.5f, 1, 0.6f))), "center"_a = vectorText(center),
+                     "height"_a = 2.1f * radius, "near"_a = 1.5f * radius, "far"_a = 4.5f * radius);
 }
 
 std::string nameFrom(const std::filesystem::path& path) {
@@ -96,6 +113,7 @@ Result<std::string> modelScenario(const std::filesystem::path& model) {
   using namespace fmt::literals;
   return fmt::format(
       fmt::runtime(kScenario), "name"_a = nameFrom(model), "cull"_a = double_sided ? "none" : "back", "file"_a = escaped(std::filesystem::absolute(model).string()),
+      "sun"_a = sunText(scene, center, radius),
       "center"_a = vectorText(center), "near_distance"_a = 2.1f * radius, "rise"_a = 0.6f * radius, "far_distance"_a = 2.5f * radius,
       "high"_a = 1.1f * radius, "near"_a = 0.05f * radius, "far"_a = 40 * radius, "base"_a = vectorText(center + radius * glm::vec3(0.3f, 0.6f, 3.6f)),
       "amplitude"_a = vectorText(radius * glm::vec3(0.1f, 0.2f, 1.5f)), "walk"_a = vectorText(center + radius * glm::vec3(-0.5f, 0.5f, 2.6f)),

@@ -33,8 +33,7 @@ std::string head(const StandardVertexOptions& options, std::uint32_t set) {
   const std::string in_set = "layout(set = " + std::to_string(set) + ", std140, binding = ";
   std::string text =
       "#version 450\n"
-      "layout(location = 0) in vec3 position;\nlayout(location = 1) in vec3 normal;\nlayout(location = 2) in vec4 tangent;\n"
-      "layout(location = 3) in vec2 uv;\nlayout(location = 4) in vec4 color;\n";
+      "layout(location = 0) in vec3 position;\nlayout(location = 1) in vec3 normal;\nlayout(location = 2) in vec4 tangent;\n";
   text += in_set + "0) uniform StandardFrame { mat4 view_projection; };\n";
   text += in_set + "1) uniform StandardObject { mat4 model; mat4 normal_matrix; };\n";
   if (options.joints > 0) {
@@ -75,6 +74,9 @@ Result<std::string> standardVertexText(std::span<const std::uint32_t> fragment_w
     const auto varying = std::find_if(std::begin(kVaryings), std::end(kVaryings), [&](const Varying& known) { return slot.name == known.name; });
     if (varying == std::end(kVaryings) || slot.type != varying->type) return unknownVarying(slot);
     const std::string out = "out_" + slot.name;
+    // Inputs that nobody reads would have to be bound all the same.
+    if (slot.name == "uv") text += "layout(location = 3) in vec2 uv;\n";
+    if (slot.name == "color") text += "layout(location = 4) in vec4 color;\n";
     text += "layout(location = " + std::to_string(slot.location) + ", component = " + std::to_string(slot.component) + ") out " + slot.type + " " + out + ";\n";
     body += "  " + out + " = " + varying->value + ";\n";
   }

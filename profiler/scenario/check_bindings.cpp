@@ -273,8 +273,8 @@ Result<void> checkBindings(const Scenario& scenario, const ShaderInterface& inte
   for (const ShaderInterface& pass : passes) interfaces.push_back(&pass);
   // In this order: what is misspelled in the scenario comes before what is missing for that reason.
   checkUniforms(scenario, interfaces, diagnostics);
-  checkTextures(scenario, interfaces, diagnostics);
   checkPasses(scenario, interface, passes, diagnostics);
+  checkTextures(scenario, interfaces, diagnostics);
   for (const ShaderInterface* each : interfaces) checkVertexInputs(scenario, *each, diagnostics);
   checkOutputs(scenario, interface, diagnostics);
   if (diagnostics.errors.empty()) return {};

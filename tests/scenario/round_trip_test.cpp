@@ -212,6 +212,26 @@ TextureSpec anyTexture(const std::string& name, const std::string& file) {
   return texture;
 }
 
+PassSpec anyPass(const Scenario& scenario, const std::string& name, const std::string& shader) {
+  PassSpec pass;
+  pass.name = name;
+  pass.kind = static_cast<ScenePassKind>(*rc::gen::inRange(0, 2));
+  if (pass.kind == ScenePassKind::kShadow) {
+    pass.light = anyCamera(false);
+    pass.size = *rc::gen::inRange(16u, 4096u);
+    pass.slope_bias = anyFloat(0, 9);
+    for (float& value : pass.color) value = anyFloat(0, 20);
+    if (*rc::gen::arbitrary<bool>()) pass.objects = {scenario.objects[0].name};
+  } else {
+    pass.fragment_path = shader;
+    if (*rc::gen::arbitrary<bool>()) pass.vertex_path = shader;
+    if (*rc::gen::arbitrary<bool>()) pass.depth_texture = name + "_depth";
+    for (int i = *rc::gen::inRange(1, 4); i > 0; --i)
+      pass.outputs.push_back({name + std::to_string(i), kColorFormats[*rc::gen::inRange(0, 3)], *rc::gen::arbitrary<bool>()});
+  }
+  return pass;
+}
+
 RenderState anyState(bool reverse_z) {
   RenderState state;
   state.cull = static_cast<CullMode>(*rc::gen::inRange(0, 3));
@@ -258,6 +278,10 @@ Scenario anyScenario(const fs::path& folder) {
   scenario.uniforms.push_back({"Scene.view.sun", static_cast<Semantic>(*rc::gen::inRange(0, 9)), {}});
   for (int i = *rc::gen::inRange(0, 3); i > 0; --i)
     scenario.textures.push_back(anyTexture("texture" + std::to_string(i), (folder / "wood.png").string()));
+  for (int i = *rc::gen::inRange(0, 3); i > 0; --i) {
+    scenario.passes.push_back(anyPass(scenario, "pass" + std::to_string(i), scenario.fragment_path));
+    scenario.uniforms.push_back({"Scene.pass" + std::to_string(i), PassSource{"pass" + std::to_string(i), kPassSources[*rc::gen::inRange(0, 4)].value}, {}});
+  }
   for (int i = 0; i < 2; ++i) scenario.sessions.push_back(anySession(scenario, i, reverse_z));
   return scenario;
 }
