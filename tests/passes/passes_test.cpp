@@ -5,10 +5,9 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "profiler/scenario/read_scenario.h"
 #include "profiler/session/job.h"
-#include "runtime/base/file.h"
 #include "tests/passes/pass_scene.h"
+#include "tests/passes/two_passes.h"
 
 namespace reprise {
 namespace {
@@ -17,38 +16,6 @@ constexpr std::size_t kPixels = 128 * 128;
 
 // What a frame has where nothing is drawn.
 constexpr glm::vec3 kBackground(-7, -7, -7);
-
-const char* kSessions = R"(
-[[session]]
-name = "train"
-role = "training"
-camera = { eye = [0.3, 5, 4], target = [0, 0, 0], near = 0.5, far = 20 }
-[[session]]
-name = "check"
-role = "validation"
-camera = { eye = [0, 5, 4], target = [0, 0, 0] }
-)";
-
-const std::string kRender = R"(
-[shader]
-fragment = "a.frag"
-[render]
-width = 128
-height = 128
-frames = 24
-cull = "none"
-formats = ["rgba32_sfloat"]
-clear = [-7, -7, -7, -7]
-)";
-
-const std::string kSun = R"(
-[[pass]]
-name = "shadow_map"
-kind = "shadow"
-size = 512
-slope_bias = 3
-light = { eye = [3, 6, 2], target = [0, 0, 0], orthographic = true, ortho_height = 8, near = 0.5, far = 14 }
-)";
 
 // Whether the point sees the light, and where the point is.
 const char* kLitPoint = R"(#version 450
@@ -253,48 +220,6 @@ TEST(GBufferPass, IsPlayedByJobsFromTheCopiesOfItsShaders) {
   EXPECT_EQ(uncompiled.error().code, "session.pass");
 }
 
-const std::string kTwoPasses = kRender + R"(
-[[object]]
-name = "ball"
-mesh = { kind = "sphere", radius = 0.8 }
-motion = { translate = { oscillate = { base = [0, 1.2, 0], amplitude = [1, 0, 0], period_s = 0.5 } } }
-[[object]]
-name = "floor"
-mesh = { kind = "plane", size = 8 }
-)" + kSun + R"(
-[[pass]]
-name = "light"
-kind = "gbuffer"
-fragment = "light.frag"
-outputs = [{ texture = "light_map", format = "rgba32_sfloat" }]
-[uniforms]
-"Light.matrix" = { pass_view_projection = "shadow_map" }
-"Light.place" = { pass_position = "shadow_map" }
-)" + kSessions;
-
-const char* kLight = R"(#version 450
-layout(location = 0) in vec3 world_position;
-layout(location = 0) out vec4 result;
-layout(set = 0, binding = 0, std140) uniform Light { mat4 matrix; vec3 place; };
-layout(set = 0, binding = 1) uniform sampler2DShadow shadow_map;
-void main() {
-  vec4 at = matrix * vec4(world_position, 1);
-  result = vec4(textureLod(shadow_map, vec3(at.xy * 0.5 + 0.5, at.z), 0.0), place);
-}
-)";
-
-const char* kShades = R"(#version 450
-layout(location = 0) in vec3 world_position;
-layout(location = 0) out vec4 result;
-layout(set = 0, binding = 0) uniform sampler2D light_map;
-void main() {
-  vec4 light = texelFetch(light_map, ivec2(gl_FragCoord.xy), 0);
-  float pattern = 0.0;
-  for (int i = 1; i < 12; ++i) pattern += sin(world_position.x * float(i) + world_position.z) / float(i);
-  result = vec4(pattern * (0.3 + 0.7 * light.r), light.gba);
-}
-)";
-
 TEST(Passes, ReadThoseBeforeThem) {
   PassScene scene({{"a.frag", kShades}, {"light.frag", kLight}}, kTwoPasses);
   const std::vector<float> frame = scene.original(4);
@@ -324,89 +249,6 @@ TEST(Passes, AreTheSameForAVariantThatAlwaysRefreshesAndForItsOriginal) {
     }
   }
   expectSilence(scene);
-}
-
-Result<Subject> readWith(const TemporaryFolder& folder, const std::string& scenario) {
-  writeText(folder / "a.frag", kShades);
-  writeText(folder / "light.frag", kLight);
-  writeText(folder / "scene.toml", scenario);
-  return readSubject(folder / "scene.toml");
-}
-
-std::string with(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  REPRISE_CHECK(at != std::string::npos, from);
-  return text.replace(at, from.size(), to);
-}
-
-struct Refused {
-  std::string name, from, to, code, says;
-};
-
-class RefusedPass : public testing::TestWithParam<Refused> {};
-
-TEST_P(RefusedPass, IsReportedWithItsPlace) {
-  const TemporaryFolder folder;
-  const Result<Subject> read = readWith(folder, with(kTwoPasses, GetParam().from, GetParam().to));
-  ASSERT_FALSE(read.ok());
-  EXPECT_EQ(read.error().code, GetParam().code);
-  EXPECT_NE(read.error().message.find(GetParam().says), std::string::npos) << read.error().message;
-  EXPECT_GT(read.error().place.line, 0);
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Passes, RefusedPass,
-    testing::Values(
-        Refused{"Unknown", "pass_position = \"shadow_map\"", "pass_position = \"shadowmap\"", "scenario.value", "'shadowmap', which is not there"},
-        Refused{"Unsampled", "texture = \"light_map\"", "texture = \"lightmap\"", "scenario.unknown_texture", "no shader samples the texture 'lightmap'"},
-        Refused{"ReadsItself", "texture = \"light_map\", format = \"rgba32_sfloat\" }", "texture = \"light_map\", format = \"rgba32_sfloat\" }]\ndepth = \"shadow_map\"\n#",
-                "scenario.value", "two textures named 'shadow_map'"},
-        Refused{"Kind", "kind = \"gbuffer\"", "kind = \"g_buffer\"", "scenario.value", "gbuffer"},
-        Refused{"Format", "format = \"rgba32_sfloat\" }", "format = \"rgb32\" }", "scenario.value", "'rgb32'"},
-        Refused{"Outputs", "texture = \"light_map\", format = \"rgba32_sfloat\" }", "texture = \"light_map\" }, { texture = \"more\" }", "scenario.unknown_texture", "'more'"},
-        Refused{"ReverseZ", "near = 0.5, far = 14", "near = 0.5, far = 14, reverse_z = true", "scenario.value", "reverse_z"},
-        Refused{"Key", "size = 512", "sise = 512", "scenario.unknown_key", "sise"},
-        Refused{"Objects", "size = 512", "size = 512\nobjects = [\"bal\"]", "scenario.value", "'ball'"},
-        Refused{"File", "light.frag", "lights.frag", "scenario.missing_file", "lights.frag"}),
-    [](const auto& each) { return each.param.name; });
-
-TEST(RefusedPasses, ReadWhatIsMadeAfterThem) {
-  const TemporaryFolder folder;
-  const std::size_t sun = kTwoPasses.find("[[pass]]"), light = kTwoPasses.find("[[pass]]", sun + 1), rest = kTwoPasses.find("[uniforms]");
-  const std::string turned = kTwoPasses.substr(0, sun) + kTwoPasses.substr(light, rest - light) + kTwoPasses.substr(sun, light - sun) + kTwoPasses.substr(rest);
-  const Result<Subject> read = readWith(folder, turned);
-  ASSERT_FALSE(read.ok());
-  EXPECT_EQ(read.error().code, "scenario.pass_order");
-  EXPECT_NE(read.error().message.find("the later pass 'shadow_map'"), std::string::npos) << read.error().message;
-}
-
-TEST(WrittenPasses, ReadBackTheSame) {
-  const TemporaryFolder folder;
-  const Result<Subject> first = readWith(folder, with(kTwoPasses, "size = 512", "size = 512\nobjects = [\"ball\"]\ncolor = [1, 2, 3]"));
-  ASSERT_TRUE(first.ok()) << formatError(first.error());
-  writeText(folder / "again.toml", writeScenario(first->scenario, folder.path()));
-  Result<Scenario> again = readScenario(folder / "again.toml");
-  ASSERT_TRUE(again.ok()) << formatError(again.error());
-  ASSERT_EQ(again->passes.size(), 2u);
-  for (std::size_t i = 0; i < 2; ++i) {
-    again->passes[i].place = first->scenario.passes[i].place;
-    EXPECT_EQ(again->passes[i], first->scenario.passes[i]);
-  }
-  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(again->uniforms[i].source, first->scenario.uniforms[i].source);
-  EXPECT_EQ(readScenario(folder / "scene.toml")->hash, again->hash);
-}
-
-TEST(WrittenPasses, AreToldApartByTheHash) {
-  const TemporaryFolder folder;
-  const Result<Subject> before = readWith(folder, kTwoPasses);
-  const Result<Subject> softer = readWith(folder, with(kTwoPasses, "slope_bias = 3", "slope_bias = 4"));
-  ASSERT_TRUE(before.ok() && softer.ok());
-  EXPECT_NE(before->scenario.hash, softer->scenario.hash);
-  writeText(folder / "scene.toml", kTwoPasses);
-  writeText(folder / "light.frag", with(kLight, "at.z)", "at.z - 0.01)"));
-  const Result<Subject> other_shader = readSubject(folder / "scene.toml");
-  ASSERT_TRUE(other_shader.ok());
-  EXPECT_NE(before->scenario.hash, other_shader->scenario.hash);
 }
 
 }  // namespace
