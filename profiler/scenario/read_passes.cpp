@@ -4,6 +4,7 @@
 
 #include "profiler/scenario/near_names.h"
 #include "profiler/scenario/passes.h"
+#include "profiler/scenario/read_camera.h"
 #include "profiler/scenario/read_motion.h"
 #include "profiler/scenario/read_sections.h"
 
@@ -35,7 +36,7 @@ void readObjectNames(TableReader& reader, const Scenario& scenario, PassSpec& pa
 
 void readShadow(TableReader& reader, const Scenario& scenario, PassSpec& pass) {
   if (const TomlNode* light = reader.find("light", Need::kRequired)) {
-    pass.light = readCamera(*light, "'light' of " + reader.what(), reader.diagnostics());
+    pass.light = readCamera(*light, "'light' of " + reader.what(), std::filesystem::path(scenario.path).parent_path(), reader.diagnostics());
     if (pass.light.reverse_z)
       reader.diagnostics().add("value", "'light' of " + reader.what() + " has reverse_z, which shadow maps do without", light->place);
   }
