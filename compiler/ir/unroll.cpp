@@ -37,6 +37,12 @@ Instruction* mergeInstruction(Function& function, const Loop& loop) {
   return nullptr;
 }
 
+// A long loop that only the variants unroll lets the driver fold what it does not in the original, which may round otherwise (law 1).
+int mostInstructions(const Instruction& merge) {
+  const bool requested = (merge.word(2) & static_cast<std::uint32_t>(spv::LoopControlMask::Unroll)) != 0;
+  return requested ? kMostInstructionsUnrolledOnRequest : kMostUnrolledInstructions;
+}
+
 // Asks SPIRV-Tools for the loops to unroll by their own loop control. Returns whether there are any.
 bool markLoops(Module& module, std::uint32_t function_id) {
   Function& function = *findFunction(module, function_id);
@@ -52,7 +58,7 @@ bool markLoops(Module& module, std::uint32_t function_id) {
     Instruction* merge = mergeInstruction(function, flow.loops[i]);
     if (merge == nullptr) continue;
     const bool unrolled = trip_counts[i] <= kMostUnrolledIterations &&
-                          unrolledInstructions(function, flow, flow.loops[i], trip_counts) <= kMostUnrolledInstructions;
+                          unrolledInstructions(function, flow, flow.loops[i], trip_counts) <= mostInstructions(*merge);
     any |= unrolled;
     merge->operands.resize(3);
     merge->operands[2] = literalOperand(static_cast<std::uint32_t>(unrolled ? spv::LoopControlMask::Unroll : spv::LoopControlMask::MaskNone));

@@ -9,7 +9,8 @@
 namespace reprise {
 
 inline constexpr int kMostUnrolledIterations = 32;
-inline constexpr int kMostUnrolledInstructions = 2048;  // of a loop, written out, inner loops too
+inline constexpr int kMostUnrolledInstructions = 1024;  // of a loop, written out, inner loops too
+inline constexpr int kMostInstructionsUnrolledOnRequest = 4096;  // of one that its author marks [[unroll]]: drivers unroll it, too
 // Of functions beyond these no loop is unrolled: looking for those that may be takes the product of both.
 inline constexpr std::size_t kMostLoops = 64;
 inline constexpr std::size_t kMostInstructionsToUnroll = 16384;

@@ -1,6 +1,7 @@
 // Reflections of a shiny, dented can after the Trashcan shader of ATI's Toyshop demo as Scherzer et al. 2012, section 5.1, tell it: 25
 // stratified samples of an environment map around the mirror direction, weighted by a Gaussian, under a normal map.
 #version 450
+#extension GL_EXT_control_flow_attributes : require
 
 layout(location = 0) in vec3 world_position;
 layout(location = 1) in vec3 world_normal;
@@ -52,7 +53,7 @@ void main() {
   vec3 along = cross(mirrored, across);
 
   vec3 gathered = vec3(0.0);
-  for (int i = 0; i < 25; ++i) {
+  [[unroll]] for (int i = 0; i < 25; ++i) {
     vec2 offset = kConeWidth * kOffsets[i];
     gathered += kWeights[i] * environment(normalize(mirrored + offset.x * across + offset.y * along));
   }

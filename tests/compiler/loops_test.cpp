@@ -77,6 +77,15 @@ TEST(Unroll, LongAndOpenLoopsStay) {
   }
 }
 
+TEST(Unroll, ALoopAboveTheLimitOnlyWhereItsAuthorAsks) {
+  const std::string loops = "for (int i = 0; i < 30; ++i)\n  for (int j = 0; j < 5; ++j)\n    sum += sin(p.x * float(i) + p.y * float(j));\n";
+  const auto asked = analysedWhole("#version 450\n#extension GL_EXT_control_flow_attributes : require\nlayout(location = 0) in vec4 p;\n"
+                                   "layout(location = 0) out vec4 color;\nvoid main() {\nfloat sum = 0.0;\n[[unroll]] " + loops + "color = vec4(sum);\n}\n");
+  EXPECT_EQ(countOf(entryOf(*asked), spv::Op::OpLoopMerge), 0);
+  const auto silent = analysedWhole(shaderOf("float sum = 0.0;\n" + loops + "color = vec4(sum);"));
+  EXPECT_GT(countOf(entryOf(*silent), spv::Op::OpLoopMerge), 0);
+}
+
 TEST(LoopResults, WhatALoopLeavesBehindIsACandidate) {
   const auto shader = analysedWhole(shaderOf("float sum = 0.0;\nfor (int i = 0; i < scene.count; ++i)\n  sum += sin(p.x * float(i) + sum);\n"
                                              "color = sum * exp(p);"));

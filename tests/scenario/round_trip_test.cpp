@@ -194,7 +194,7 @@ TextureSpec anyTexture(const std::string& name, const std::string& file) {
   if (texture.kind == TextureKind::kFile) {
     texture.path = file;
   } else if (texture.kind == TextureKind::kDiscs) {
-    texture.objects = {"object.0"};
+    texture.objects = {"object.1"};
     texture.discs_u = *rc::gen::inRange(1, 9);
     texture.discs_v = *rc::gen::inRange(1, 9);
     texture.object_space = *rc::gen::arbitrary<bool>();
