@@ -234,7 +234,9 @@ void describeOriginal(const Training& training, const FittedTraining& fitted, co
   }
   if (validated.accepted) return;
   result.choice.kind = ChoiceKind::kOriginal;
-  if (fitted.input.configurations.empty() && selection.original_reason.empty()) {
+  if (fitted.input.configurations.empty() && !training.not_reached.empty()) {
+    result.choice.reason = "the budget ended before any variant was measured whole; a larger --budget may find one";
+  } else if (fitted.input.configurations.empty() && selection.original_reason.empty()) {
     result.choice.reason = "no value of the shader is worth caching under the threshold";
   } else if (validated.attempts.empty()) {
     result.choice.reason = selection.original_reason;
