@@ -31,6 +31,7 @@ const std::vector<PublishedCase>& publishedCases() {
       {"chess", "chess/chess.toml", "8x, static occlusion kept (Scherzer et al. 2012, 5.1)", 8.0, "static occlusion", isStandingOcclusion},
       {"translucent", "translucent/translucent.toml", "1.3x, never refreshed (Nehab et al. 2007, 7.1)", std::nullopt, "", nullptr},
       {"dragon", "dragon/dragon.toml", "1.7x tiled, 1.9x random, every 4 frames, final colour kept (Nehab et al. 2007, fig. 6)", 1.7, "final colour", isLit},
+      {"stereo", "stereo/stereo.toml", "1.57x final colour, 1.39x albedo alone (Nehab et al. 2007, 7.2)", 1.4, "albedo", isAlbedo},
       {"crowd", "crowd/crowd.toml", "over 90% of the surface stays visible (Nehab et al. 2007, fig. 3)", std::nullopt, "", nullptr},
       {"worst", "worst/worst.toml", "nothing; a gain must hold, else the original", std::nullopt, "", nullptr}};
   return cases;

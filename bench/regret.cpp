@@ -41,9 +41,8 @@ class Search {
     if (result.choice.kind == ChoiceKind::kVariant) {
       base_.filter = filterOf(result.choice.filter).value_or(base_.filter);
       base_.encoding = encodingOf(result.choice.encoding).value_or(base_.encoding);
-      base_.block_pixels = result.choice.block_pixels;
-      for (const PatternKind pattern : {PatternKind::kTiled, PatternKind::kRandom, PatternKind::kInterleaved})
-        if (nameOf(pattern) == result.choice.pattern) base_.pattern = pattern;
+      if (result.choice.block_pixels > 0) base_.block_pixels = result.choice.block_pixels;
+      base_.pattern = patternKindOf(result.choice.pattern).value_or(base_.pattern);
     }
     base_.strategy = "original";
     for (const SessionSpec& session : subject.scenario.sessions)
@@ -101,7 +100,7 @@ class Search {
       job.metrics = {result_.threshold.metric};
       REPRISE_ASSIGN(const JobResult measured, runHere(job));
       for (std::size_t i = 0; i < periods.size(); ++i) {
-        const auto error = sessionError(result_.threshold.metric, {&measured.errors[i]}, periods[i]);
+        const auto error = sessionError(result_.threshold.metric, {&measured.errors[i]}, periods[i], options.pattern);
         worst[i] = error && !std::isnan(worst[i]) ? std::max(worst[i], *error) : std::nan("");
       }
     }
@@ -121,7 +120,7 @@ class Search {
     Job job;
     job.kind = JobKind::kTimes;
     job.original_dir = original.dir;
-    job.rounds = plan_.rounds;
+    job.rounds = imagesOf(subject_.scenario, plan_.rounds);
     job.entries = {{varies ? (workspace_.packageDir()).string() : original.dir, varies ? result_.choice.period_frames : 1}};
     std::vector<Row> rows;
     for (const Strategy& strategy : strategies()) {
@@ -138,11 +137,16 @@ class Search {
     for (const std::string& session : sessions_) {
       job.session = session;
       REPRISE_ASSIGN(const JobResult measured, runHere(job));
-      for (std::size_t i = 0; i < clock.size(); ++i)
-        for (const TimeRow& row : measured.times[i]) clock[i].push_back(measured.cpu_device ? row.cpu_ms : row.gpu_ms);
+      for (std::size_t i = 0; i < clock.size(); ++i) appendTimes(measured.times[i], measured.cpu_device, clock[i]);
     }
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i].relative_time = 1 / pairedRatio(clock[0], clock[i + 1]).ratio;
     return rows;
+  }
+
+  void appendTimes(const std::vector<TimeRow>& rows, bool cpu_clock, std::vector<double>& clock) const {
+    std::vector<TimedFrame> frames;
+    for (const TimeRow& row : rows) frames.push_back({row.frame, cpu_clock ? row.cpu_ms : row.gpu_ms, row.wall_ms});
+    for (const TimedFrame& frame : subject_.scenario.stereo ? pairedEyes(frames) : frames) clock.push_back(frame.clock_ms);
   }
 
   const RegretPlan& plan_;

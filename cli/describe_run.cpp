@@ -33,16 +33,16 @@ double cacheBytes(const Candidate& candidate, const VariantOptions& options) {
   return 2.0 * cacheLayout(candidate.channels, options.encoding, isInteger(candidate.scalar)).bytes_per_pixel;
 }
 
-std::vector<double> clockTimes(const std::vector<TimedFrame>& frames) {
+std::vector<double> clockTimes(const std::vector<TimedFrame>& frames, bool in_pairs) {
   std::vector<double> times;
-  for (const TimedFrame& frame : frames) times.push_back(frame.clock_ms);
+  for (const TimedFrame& frame : in_pairs ? pairedEyes(frames) : frames) times.push_back(frame.clock_ms);
   return times;
 }
 
-std::vector<double> clockOf(const std::map<std::string, std::vector<TimedFrame>>& sessions) {
+std::vector<double> clockOf(const std::map<std::string, std::vector<TimedFrame>>& sessions, bool in_pairs) {
   std::vector<double> times;
   for (const auto& [session, frames] : sessions)
-    for (const TimedFrame& frame : frames) times.push_back(frame.clock_ms);
+    for (const TimedFrame& frame : in_pairs ? pairedEyes(frames) : frames) times.push_back(frame.clock_ms);
   return times;
 }
 
@@ -51,7 +51,7 @@ std::optional<double> measuredError(const ErrorStudy& study, std::uint32_t perio
   if (sessions == study.rows.end()) return std::nullopt;
   std::vector<const std::vector<ErrorRow>*> rows;
   for (const auto& [session, series] : sessions->second) rows.push_back(&series);
-  return sessionError(metric, rows, period);
+  return sessionError(metric, rows, period, study.options.pattern);
 }
 
 // What the errors of single frames lie in, over all settled frames, but for 2.5% at each end.
@@ -61,7 +61,8 @@ std::optional<RunInterval> frameErrors(const ErrorStudy& study, std::uint32_t pe
   if (sessions == study.rows.end()) return std::nullopt;
   for (const auto& [session, rows] : sessions->second)
     for (const ErrorRow& row : rows)
-      if (const auto error = row.errors.find(metric); row.frame >= firstSettledFrame(period) && row.covered > 0 && error != row.errors.end())
+      if (const auto error = row.errors.find(metric);
+          countsForError(row.frame, period, study.options.pattern) && row.covered > 0 && error != row.errors.end())
         errors.push_back(error->second);
   if (errors.empty()) return std::nullopt;
   const OrderRange range = middleRange(std::move(errors), 0.95);
@@ -69,10 +70,10 @@ std::optional<RunInterval> frameErrors(const ErrorStudy& study, std::uint32_t pe
 }
 
 // Rounds pair within a session, by their place.
-void describeTimes(const CostStudy& costs, std::uint32_t period, RunPoint& point) {
+void describeTimes(const CostStudy& costs, std::uint32_t period, bool in_pairs, RunPoint& point) {
   const auto timed = costs.frames.find(period);
   if (timed == costs.frames.end()) return;
-  const std::vector<double> all = clockOf(timed->second);
+  const std::vector<double> all = clockOf(timed->second, in_pairs);
   point.measured_frame_ms = known(medianOf(all));
   if (!all.empty()) {
     const OrderRange range = medianInterval(all);
@@ -82,8 +83,8 @@ void describeTimes(const CostStudy& costs, std::uint32_t period, RunPoint& point
   for (const auto& [session, frames] : timed->second) {
     const auto reference = costs.reference.find(session);
     if (reference == costs.reference.end() || reference->second.size() != frames.size()) continue;
-    for (const double ms : clockTimes(frames)) variant.push_back(ms);
-    for (const double ms : clockTimes(reference->second)) original.push_back(ms);
+    for (const double ms : clockTimes(frames, in_pairs)) variant.push_back(ms);
+    for (const double ms : clockTimes(reference->second, in_pairs)) original.push_back(ms);
   }
   const PairedRatio ratio = pairedRatio(original, variant);
   if (ratio.pairs == 0) return;
@@ -95,20 +96,21 @@ void addPoints(const Training& training, const FittedTraining& fitted, const Sel
                const std::string& metric, RunConfiguration& described) {
   const CostStudy& costs = training.costs[fitted.cost_study[configuration]];
   const ErrorFit& fit = fitted.input.configurations[configuration].error_fit;
+  const ErrorStudy& errors = training.errors[costs.error_study];
   for (const TradeoffPoint& point : selection.points) {
     if (point.configuration != configuration) continue;
     RunPoint entry;
     entry.period_frames = point.period_frames;
     entry.predicted_error = known(point.predicted_error);
     entry.predicted_frame_ms = known(point.predicted_frame_ms);
-    entry.measured_error = measuredError(training.errors[costs.error_study], point.period_frames, metric);
+    entry.measured_error = measuredError(errors, point.period_frames, metric);
     entry.predicted_hit_rate = known(point.predicted_hit_rate);
-    entry.measured_error_frames = frameErrors(training.errors[costs.error_study], point.period_frames, metric);
+    entry.measured_error_frames = frameErrors(errors, point.period_frames, metric);
     if (point.period_frames != kNeverRefresh && isUsable(fit.verdict)) {
       const ErrorPrediction error = predictError(fit, point.period_frames);
       entry.predicted_error_ci95 = RunInterval{error.lo, error.hi};
     }
-    describeTimes(costs, point.period_frames, entry);
+    describeTimes(costs, point.period_frames, errors.options.previous == PreviousImage::kOtherEye, entry);
     described.points.push_back(entry);
   }
 }
@@ -137,7 +139,7 @@ RunConfiguration untimedConfiguration(const ErrorStudy& study, const Subject& su
   described.pattern = nameOf(study.options.pattern);
   described.filter = nameOf(study.options.filter);
   described.encoding = nameOf(study.options.encoding);
-  described.block_pixels = study.options.block_pixels;
+  described.block_pixels = blockPixels(study.options);
   described.cost_verdict = "not timed";
   const ErrorFit fit = fitErrors(study, metric);
   for (const std::uint32_t period : subject.scenario.periods) {
@@ -208,7 +210,7 @@ std::vector<RunCandidate> describeCandidates(const Subject& subject, const Train
       }
       if (!timed) entry.configurations.push_back(untimedConfiguration(errors, subject, metric));
     }
-    if (const auto limit = training.limits.find(index); limit != training.limits.end()) entry.limit_frame_ms = known(medianOf(clockTimes(limit->second)));
+    if (const auto limit = training.limits.find(index); limit != training.limits.end()) entry.limit_frame_ms = known(medianOf(clockTimes(limit->second, false)));
     describeStatus(training, index, candidate, has_rows, entry);
     described.push_back(std::move(entry));
   }
@@ -239,8 +241,9 @@ RunAttempt describeAttempt(const FittedTraining& fitted, const ValidationAttempt
   const Configuration& configuration = fitted.input.configurations[attempt.configuration];
   RunAttempt described;
   described.candidate_id = configuration.candidate_id;
-  described.configuration = fmt::format("{}, {} {}x{}, {}, {}", configuration.strategy, configuration.pattern, configuration.block_pixels,
-                                        configuration.block_pixels, configuration.filter, configuration.encoding);
+  const std::string blocks = configuration.block_pixels > 0 ? fmt::format(" {0}x{0}", configuration.block_pixels) : "";
+  described.configuration = fmt::format("{}, {}{}, {}, {}", configuration.strategy, configuration.pattern, blocks, configuration.filter,
+                                        configuration.encoding);
   described.period_frames = attempt.point.period_frames;
   described.measured_error = known(attempt.run.worst_session_error);
   described.measured_speedup = known(attempt.run.binding.ratio);

@@ -75,6 +75,7 @@ Result<void> makePictures(const PictureSubject& in, const std::vector<TradeoffPo
   job.original_dir = in.measuring.original_dir;
   job.device = in.measuring.device;
   job.image_frame = std::min(frames - 1, std::max(firstSettledFrame(points.front().period_frames), kLeastFrame));
+  if (in.subject.scenario.stereo) job.image_frame -= 1 - job.image_frame % 2;  // a right eye: left ones look like the original
   job.image_dir = in.workspace.imagesDir().string();
   job.strip_frames = stripFrames(frames);
   for (const TradeoffPoint& point : points) {

@@ -66,11 +66,12 @@ std::vector<TimedCount> timedAndCounted(const ErrorStudy& errors, const CostStud
     }
   return points;
 }
+std::uint32_t blockPixels(const VariantOptions& options) { return options.pattern == PatternKind::kWhole ? 0 : options.block_pixels; }
 
 std::vector<ErrorPoint> errorPoints(const ErrorStudy& study, const std::string& metric) {
   std::vector<ErrorPoint> points;
   for (const auto& [period, sessions] : study.rows)
-    if (const auto value = sessionError(metric, rowsOf(sessions), period); value && period != kNeverRefresh && period > 1)
+    if (const auto value = sessionError(metric, rowsOf(sessions), period, study.options.pattern); value && period != kNeverRefresh && period > 1)
       points.push_back({period, *value, 0});
   return points;
 }
@@ -95,7 +96,7 @@ FittedTraining fitTraining(const Subject& subject, const Training& training, con
     configuration.pattern = nameOf(errors.options.pattern);
     configuration.filter = nameOf(errors.options.filter);
     configuration.encoding = nameOf(errors.options.encoding);
-    configuration.block_pixels = errors.options.block_pixels;
+    configuration.block_pixels = blockPixels(errors.options);
     configuration.error_fit = fitErrors(errors, metric);
     configuration.hit_rate = fitHits(errors);
     configuration.cost = fitCost(costPoints(errors, costs));

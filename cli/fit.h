@@ -10,6 +10,9 @@
 
 namespace reprise {
 
+// 0 for patterns without blocks.
+std::uint32_t blockPixels(const VariantOptions& options);
+
 struct FittedTraining {
   SelectionInput input;                   // one configuration for each cost study with a usable error study
   std::vector<std::size_t> cost_study;    // by configuration: index into Training::costs

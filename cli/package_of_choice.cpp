@@ -105,6 +105,7 @@ Result<ChosenVariant> variantOf(const Subject& subject, const Choice& choice) {
   variant.candidate.id = choice.candidate_id;
   variant.options = choice.variant;
   variant.options.orthographic = subject.orthographic;
+  if (subject.scenario.stereo) variant.options.previous = PreviousImage::kOtherEye;
   return variant;
 }
 

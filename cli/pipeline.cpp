@@ -95,7 +95,8 @@ RunResult describeSubject(const Subject& subject, const OptimizeArguments& argum
   for (const SessionSpec& session : subject.scenario.sessions)
     if (session.role == SessionRole::kTraining) frames += session.frames > 0 ? session.frames : subject.scenario.frames;
   result.scenario = {arguments.scenario, subject.scenario.name, subject.scenario.hash, subject.scenario.width, subject.scenario.height,
-                     subject.scenario.seed, frames};
+                     subject.scenario.seed, frames, std::nullopt};
+  if (subject.scenario.stereo) result.scenario.eye_distance = static_cast<double>(subject.scenario.stereo->eye_distance);
   result.threshold = {arguments.metric, arguments.max_error};
   result.command = arguments.command;
   return result;

@@ -289,7 +289,7 @@ class Trainer {
     for (const std::string& session : sessions_) {
       if (outOfBudget(fmt::format("frame times of {} variants in session '{}'", requests.size(), session))) continue;
       progress_.begin(fmt::format("times: {} x {}", session, requests.size()));
-      REPRISE_ASSIGN(const std::vector<TimeSeries> series, measureTimes(measuring_, {session, options_.rounds, false}, requests));
+      REPRISE_ASSIGN(const std::vector<TimeSeries> series, measureTimes(measuring_, {session, imagesOf(subject_.scenario, options_.rounds), false}, requests));
       const std::vector<TimedFrame> paired = fasterReference(entries, series);
       for (std::size_t i = 0; i < series.size(); ++i) {
         keepTimes(session, entries[i], series[i]);
@@ -352,8 +352,10 @@ class Trainer {
       alternative([](VariantOptions& options) { options.encoding = Encoding::kRgba16; });
       alternative([](VariantOptions& options) { options.filter = Filter::kNearest; });
     }
-    alternative([](VariantOptions& options) { options.pattern = PatternKind::kTiled; });
-    alternative([](VariantOptions& options) { options.pattern = PatternKind::kRandom; });
+    if (!subject_.scenario.stereo) {
+      alternative([](VariantOptions& options) { options.pattern = PatternKind::kTiled; });
+      alternative([](VariantOptions& options) { options.pattern = PatternKind::kRandom; });
+    }
     std::vector<std::uint32_t> periods;
     std::uint32_t longest = 2;
     for (const std::uint32_t period : studyPeriods()) longest = std::max(longest, period);
@@ -381,11 +383,15 @@ class Trainer {
 
 VariantOptions baseOptions(const Subject& subject, const ValueRanges& ranges, const Candidate& candidate) {
   VariantOptions options;
-  options.pattern = PatternKind::kInterleaved;
+  options.pattern = subject.scenario.stereo ? PatternKind::kWhole : PatternKind::kInterleaved;
   options.block_pixels = 16;
   options.filter = isInteger(candidate.scalar) ? Filter::kNearest : Filter::kBilinear;
   options.encoding = isInteger(candidate.scalar) ? Encoding::kRgba32f : Encoding::kRgba16f;
   options.orthographic = subject.orthographic;
+  if (subject.scenario.stereo) {
+    options.previous = PreviousImage::kOtherEye;
+    options.period_frames = 2;
+  }
   options.ranges = ranges;
   return options;
 }

@@ -8,24 +8,41 @@
 
 namespace reprise {
 
+int imagesOf(const Scenario& scenario, int moments) { return scenario.stereo ? 2 * moments : moments; }
+
 int firstSettledFrame(std::uint32_t period_frames) {
   return period_frames == kNeverRefresh ? 2 : static_cast<int>(2 * period_frames);
 }
 
 std::optional<double> sessionError(const std::string& metric, const std::vector<const std::vector<ErrorRow>*>& sessions,
-                                   std::uint32_t period_frames) {
+                                   std::uint32_t period_frames, PatternKind pattern) {
   const Metric* definition = findMetric(metric);
   REPRISE_CHECK(definition != nullptr, metric);
   std::vector<double> values, weights;
   for (const std::vector<ErrorRow>* rows : sessions)
     for (const ErrorRow& row : *rows) {
       const auto value = row.errors.find(metric);
-      if (row.frame < firstSettledFrame(period_frames) || row.covered == 0 || value == row.errors.end() || !std::isfinite(value->second)) continue;
+      if (!countsForError(row.frame, period_frames, pattern) || row.covered == 0 || value == row.errors.end() || !std::isfinite(value->second)) continue;
       values.push_back(value->second);
       weights.push_back(static_cast<double>(row.covered));
     }
   if (values.empty()) return std::nullopt;
   return combineFrames(*definition, values, weights);
+}
+
+bool countsForError(int frame, std::uint32_t period_frames, PatternKind pattern) {
+  return frame >= firstSettledFrame(period_frames) && !isWhollyDue({pattern, period_frames, 2}, static_cast<std::uint32_t>(frame));
+}
+
+std::vector<TimedFrame> pairedEyes(const std::vector<TimedFrame>& frames) {
+  std::vector<TimedFrame> pairs;
+  for (std::size_t i = 1; i < frames.size(); ++i) {
+    const TimedFrame& left = frames[i - 1];
+    const TimedFrame& right = frames[i];
+    if (right.frame % 2 == 0 || left.frame + 1 != right.frame) continue;
+    pairs.push_back({right.frame, (left.clock_ms + right.clock_ms) / 2, (left.wall_ms + right.wall_ms) / 2});
+  }
+  return pairs;
 }
 
 double medianOf(std::vector<double> values) {

@@ -9,6 +9,7 @@
 #include "compiler/strategies/build_recipe.h"
 #include "fitting/selection/select.h"
 #include "profiler/measurements/row.h"
+#include "profiler/scenario/scenario.h"
 
 namespace reprise {
 
@@ -45,9 +46,20 @@ struct Training {
 };
 
 // Error of a session's rows by metric: combined over the covered pixels of all frames from 2 x period on (from frame 2 on for
-// "never"). rms: root of the weighted mean of squares; others: weighted mean. nullopt where no frame is left.
+// "never"). rms: root of the weighted mean of squares; others: weighted mean. nullopt where no frame is left. Frames that the pattern
+// makes wholly due are computed as the original is and left out: of stereo pairs the right eyes count.
 std::optional<double> sessionError(const std::string& metric, const std::vector<const std::vector<ErrorRow>*>& sessions,
-                                   std::uint32_t period_frames);
+                                   std::uint32_t period_frames, PatternKind pattern = PatternKind::kInterleaved);
+
+// The frame's part in sessionError.
+bool countsForError(int frame, std::uint32_t period_frames, PatternKind pattern);
+
+// Times of eyes (frames 2k and 2k + 1) as those of pairs: in place of the two their mean, under the frame of the right eye. Single
+// eyes are left out.
+std::vector<TimedFrame> pairedEyes(const std::vector<TimedFrame>& frames);
+
+// How many images `moments` are: two of each in stereo.
+int imagesOf(const Scenario& scenario, int moments);
 
 // Frames before this one are still under the influence of the all-miss start.
 int firstSettledFrame(std::uint32_t period_frames);

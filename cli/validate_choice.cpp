@@ -13,17 +13,19 @@ struct Times {
   std::vector<double> clock, wall;
 };
 
-void append(Times& times, const std::vector<TimeRow>& rows, bool cpu_clock) {
-  for (const TimeRow& row : rows) {
-    times.clock.push_back(cpu_clock ? row.cpu_ms : row.gpu_ms);
-    times.wall.push_back(row.wall_ms);
-  }
-}
-
 std::vector<TimedFrame> framesOf(const std::vector<TimeRow>& rows, bool cpu_clock) {
   std::vector<TimedFrame> frames;
   for (const TimeRow& row : rows) frames.push_back({row.frame, cpu_clock ? row.cpu_ms : row.gpu_ms, row.wall_ms});
   return frames;
+}
+
+// In stereo by pairs of eyes: one is computed, the other is not, and a median of single eyes would tell of one kind only.
+void append(Times& times, const std::vector<TimeRow>& rows, const Subject& subject, bool cpu_clock) {
+  const std::vector<TimedFrame> frames = framesOf(rows, cpu_clock);
+  for (const TimedFrame& frame : subject.scenario.stereo ? pairedEyes(frames) : frames) {
+    times.clock.push_back(frame.clock_ms);
+    times.wall.push_back(frame.wall_ms);
+  }
 }
 
 struct Entries {
@@ -75,7 +77,7 @@ void summarizeErrors(const ValidationPlan& plan, ValidationRun& run) {
   run.worst_session_error = 0;
   for (const ValidatedSession& session : run.sessions) {
     all.push_back(&session.rows);
-    const auto error = sessionError(plan.metric, {&session.rows}, plan.options.period_frames);
+    const auto error = sessionError(plan.metric, {&session.rows}, plan.options.period_frames, plan.options.pattern);
     if (error) run.worst_session_error = std::max(run.worst_session_error, *error);
     for (const ErrorRow& row : session.rows) {
       run.spoiled += row.spoiled;
@@ -88,7 +90,7 @@ void summarizeErrors(const ValidationPlan& plan, ValidationRun& run) {
       if (value != row.errors.end() && std::isfinite(value->second)) run.worst_frame_error = std::max(run.worst_frame_error, value->second);
     }
   }
-  run.measured_error = sessionError(plan.metric, all, plan.options.period_frames).value_or(std::numeric_limits<double>::quiet_NaN());
+  run.measured_error = sessionError(plan.metric, all, plan.options.period_frames, plan.options.pattern).value_or(std::numeric_limits<double>::quiet_NaN());
   if (!std::isfinite(run.measured_error)) run.worst_session_error = run.measured_error;
   run.hit_rate = covered > 0 ? hits / covered : 0;
   run.fragments_per_frame = frames > 0 ? fragments / frames : 0;
@@ -100,8 +102,8 @@ Result<void> measureValidationTimes(const Subject& subject, const Workspace& wor
   std::vector<Times> times(entries.requests.size());
   std::vector<std::vector<TimeSeries>> by_session;
   for (const ValidatedSession& session : run.sessions) {
-    REPRISE_ASSIGN(std::vector<TimeSeries> series, measureTimes(measuring, {session.name, plan.rounds, true}, entries.requests));
-    for (std::size_t i = 0; i < series.size(); ++i) append(times[i], series[i].rows, plan.cpu_clock);
+    REPRISE_ASSIGN(std::vector<TimeSeries> series, measureTimes(measuring, {session.name, imagesOf(subject.scenario, plan.rounds), true}, entries.requests));
+    for (std::size_t i = 0; i < series.size(); ++i) append(times[i], series[i].rows, subject, plan.cpu_clock);
     by_session.push_back(std::move(series));
   }
   const auto at = [&](int entry) -> const Times& { return times[static_cast<std::size_t>(entry)]; };

@@ -47,9 +47,10 @@ Workspace::~Workspace() {
 
 Result<StoredVariant> storeVariant(const Workspace& workspace, const ShaderProgram& program, const Candidate& candidate,
                                    const VariantOptions& options, const StateLimits& limits) {
-  VariantOptions at_period_one = options;
-  at_period_one.period_frames = 1;
-  REPRISE_ASSIGN(Package package, buildPackage(program, candidate, at_period_one, limits));
+  // One package for all periods; what takes from the other eye has but one.
+  VariantOptions at_one_period = options;
+  at_one_period.period_frames = options.previous == PreviousImage::kOtherEye ? 2 : 1;
+  REPRISE_ASSIGN(Package package, buildPackage(program, candidate, at_one_period, limits));
   StoredVariant stored;
   stored.recipe = package.variant;
   stored.hash = contentHash(recipeToJson(package.variant));

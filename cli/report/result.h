@@ -43,6 +43,7 @@ struct RunScenario {
   std::uint32_t width = 0, height = 0;
   std::uint32_t seed = 0;
   int frames = 0;  // of the training sessions together
+  std::optional<double> eye_distance;  // of stereo scenarios, in units of the world; frame times are those of one eye then
   bool operator==(const RunScenario&) const = default;
 };
 

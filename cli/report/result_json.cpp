@@ -30,6 +30,7 @@ template <class A>
 void fields(A& a, RunScenario& s) {
   a("path", s.path), a("name", s.name), a("hash", s.hash);
   a("width", s.width), a("height", s.height), a("seed", s.seed), a("frames", s.frames);
+  a("eye_distance", s.eye_distance);
 }
 template <class A>
 void fields(A& a, RunThreshold& t) {

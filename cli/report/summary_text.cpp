@@ -149,7 +149,8 @@ void machineFacts(std::string& out, const RunResult& result) {
   if (!result.scenario.path.empty())
     fact(out, "scenario",
          result.scenario.path + ", " + std::to_string(result.scenario.width) + "x" +
-             std::to_string(result.scenario.height) + ", seed " + std::to_string(result.scenario.seed));
+             std::to_string(result.scenario.height) + ", seed " + std::to_string(result.scenario.seed) +
+             (result.scenario.eye_distance ? ", stereo: frame times are half a pair's, errors the right eyes'" : ""));
   fact(out, "shader", result.shader.fragment);
   fact(out, "repeat with", result.command);
 }

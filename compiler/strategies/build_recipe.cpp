@@ -98,6 +98,7 @@ class RecipeBuilder {
     recipe().filter = options_.filter;
     recipe().encoding = options_.encoding;
     recipe().period_frames = strategy_.caches ? options_.period_frames : 1;
+    if (strategy_.caches) recipe().previous = options_.previous;
     recipe().orthographic = options_.orthographic;
     recipe().reprise_set = firstFreeSet(program_.interface);
     recipe().uses_reprise_set = strategy_.caches;
@@ -204,7 +205,8 @@ class RecipeBuilder {
             {"PATTERN_TILED", "0"},
             {"PATTERN_RANDOM", "1"},
             {"PATTERN_INTERLEAVED", "2"},
-            {"PATTERN", number(options_.pattern == PatternKind::kTiled ? 0 : options_.pattern == PatternKind::kRandom ? 1 : 2)},
+            {"PATTERN_WHOLE", "3"},
+            {"PATTERN", number(static_cast<int>(options_.pattern))},
             {"DEPTH_RANGE", vec4Text(constants.depth_range)},
             {"TOLERANCE", vec4Text(constants.tolerance)},
             {"PAYLOAD_SCALE", targetsText(constants.payload_scale, targets())},
@@ -308,6 +310,7 @@ class RecipeBuilder {
     pass.depth_clear = plan.depth_clear;
     pass.depth = plan.depth;
     pass.stencil = plan.stencil;
+    pass.hits_only = plan.reads_history && plan.bodies.hit && !plan.bodies.miss;
     REPRISE_TRY(chooseFragment(plan, pass));
     attach(plan, pass);
     const auto read = [&](const std::string& resource, Filter filter) {

@@ -22,6 +22,7 @@ struct VariantOptions {
   Filter filter = Filter::kBilinear;
   Encoding encoding = Encoding::kRgba16f;
   std::uint32_t period_frames = 8;
+  PreviousImage previous = PreviousImage::kLastFrame;
   bool instrumented = false;         // the counting copy: resources "kind" and "counts"
   bool poisoned = false;             // hits get wrong payloads: whether that shows tells whether a test of hits can
   bool orthographic = false;         // the camera's projection: history depth is z, else w

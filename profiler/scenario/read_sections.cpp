@@ -87,6 +87,27 @@ void readPeriods(TableReader& reader, std::vector<std::uint32_t>& periods) {
   periods = read;
 }
 
+// The history of a right eye is its left eye, which is computed every second frame: no other period makes sense.
+void readStereo(TableReader& reader, Scenario& scenario) {
+  const TomlNode* node = reader.find("stereo");
+  if (!node) return;
+  Stereo stereo;
+  TableReader table(*node, "'stereo' of [render]", reader.diagnostics());
+  table.readNumber("eye_distance", stereo.eye_distance, kPositive);
+  table.finish();
+  scenario.stereo = stereo;
+  if (!reader.has("periods")) {
+    scenario.periods = {1, 2};
+    return;
+  }
+  const std::vector<std::uint32_t>& periods = scenario.periods;
+  const bool fits = std::find(periods.begin(), periods.end(), 2u) != periods.end() &&
+                    std::all_of(periods.begin(), periods.end(), [](std::uint32_t period) { return period == 1 || period == 2; });
+  if (!fits)
+    reader.diagnostics().add("value", "the periods of a stereo scenario are 1 and 2, as every second frame is a left eye; expected [1, 2]",
+                             reader.find("periods")->place);
+}
+
 void readFormats(TableReader& reader, std::vector<std::string>& formats) {
   const TomlNode* node = reader.find("formats");
   if (!node) return;
@@ -252,6 +273,7 @@ void readRender(const TomlNode& node, Scenario& scenario, Diagnostics& diagnosti
   reader.readInteger("frames", scenario.frames, {1, kMaxFrames});
   reader.readNumber("frame_time_s", scenario.frame_time_s, {0, 10, true});
   readPeriods(reader, scenario.periods);
+  readStereo(reader, scenario);
   reader.readUnsigned("seed", scenario.seed);
   reader.readChoice("cull", scenario.state.cull, kCullModes);
   reader.readChoice("depth_compare", scenario.state.compare, kDepthCompares);

@@ -226,6 +226,12 @@ struct RenderState {
   bool operator==(const RenderState&) const = default;
 };
 
+// Frames alternate between two eyes with parallel axes: frame 2k is the left eye of moment k, frame 2k + 1 the right one.
+struct Stereo {
+  float eye_distance = 0.06f;  // in units of the world: half of it to the left and to the right of the camera
+  bool operator==(const Stereo&) const = default;
+};
+
 enum class SessionRole { kTraining, kValidation };
 
 // One path through the scenario. Objects and uniforms not overridden move as the scenario says. speed scales time and all
@@ -251,8 +257,9 @@ struct Scenario {
   std::vector<std::string> include_dirs;
   std::vector<std::pair<std::string, std::string>> defines;
   std::uint32_t width = 640, height = 360;
-  int frames = 96;
-  float frame_time_s = 1.0f / 60;   // virtual time per frame
+  int frames = 96;                  // images; in stereo two of them are one moment
+  float frame_time_s = 1.0f / 60;   // virtual time per frame; in stereo per moment
+  std::optional<Stereo> stereo;     // periods are 1 and 2 then
   std::vector<std::uint32_t> periods = {1, 2, 4, 8, 16, 32, 64};  // kNeverRefresh (0) stands for never
   std::uint32_t seed = 1;           // mixed into the seeds of all tracks and shakes
   std::vector<ModelSpec> models;

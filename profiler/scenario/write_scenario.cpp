@@ -201,7 +201,9 @@ std::string renderText(const Scenario& scenario) {
     const std::uint32_t period = scenario.periods[i];
     text += (i > 0 ? ", " : "") + (period == 0 ? quoted("never") : std::to_string(period));
   }
-  text += "]\nseed = " + std::to_string(scenario.seed) +
+  text += "]";
+  if (scenario.stereo) text += "\nstereo = { eye_distance = " + number(scenario.stereo->eye_distance) + " }";
+  text += "\nseed = " + std::to_string(scenario.seed) +
           "\ncull = " + quoted(spellingOf(kCullModes, scenario.state.cull)) +
           "\ndepth_compare = " + quoted(spellingOf(kDepthCompares, scenario.state.compare)) +
           "\ndepth_stencil = " + truth(scenario.state.depth_stencil) + "\nformats = [";

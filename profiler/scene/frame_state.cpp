@@ -25,6 +25,13 @@ glm::mat4 projectionMatrix(const Camera& camera, float fov_y_deg, float aspect) 
   return projection;
 }
 
+// right: how far along the camera's right axis, in units of the world.
+void moveToEye(float right, FrameState& state) {
+  const glm::vec3 axis = {state.view[0][0], state.view[1][0], state.view[2][0]};
+  state.camera_position += right * axis;
+  state.view = glm::translate(glm::mat4(1), {-right, 0, 0}) * state.view;
+}
+
 glm::mat4 modelMatrix(const Motion& motion, const Moment& moment) {
   const glm::vec3 turns = glm::radians(vectorAt(motion.rotate_deg, moment));
   glm::mat4 model = glm::translate(glm::mat4(1), vectorAt(motion.translate, moment));
@@ -38,7 +45,8 @@ glm::mat4 modelMatrix(const Motion& motion, const Moment& moment) {
 
 }  // namespace
 
-FrameState evaluateFrame(const Scenario& scenario, const SessionSpec& session, int frame) {
+FrameState evaluateFrame(const Scenario& scenario, const SessionSpec& session, int image) {
+  const int frame = scenario.stereo ? image / 2 : image;
   const double steps = static_cast<double>(frame) * session.speed;
   const Moment moment = {steps * scenario.frame_time_s, steps, scenario.seed};
   FrameState state;
@@ -54,6 +62,7 @@ FrameState evaluateFrame(const Scenario& scenario, const SessionSpec& session, i
   const CameraPose camera = cameraPoseAt(session.camera, moment, state);
   state.camera_position = camera.eye;
   state.view = camera.view;
+  if (scenario.stereo) moveToEye(image % 2 == 0 ? -scenario.stereo->eye_distance / 2 : scenario.stereo->eye_distance / 2, state);
   state.projection = projectionMatrix(session.camera, camera.fov_y_deg,
                                       static_cast<float>(scenario.width) / static_cast<float>(scenario.height));
   for (const PassSpec& pass : scenario.passes) {

@@ -30,7 +30,7 @@ struct PassView {
 };
 
 struct FrameState {
-  int frame = 0;
+  int frame = 0;          // of the session; in stereo the moment, the same for both eyes
   float time_s = 0;       // frame * frame_time_s * session speed
   std::uint32_t width = 0, height = 0;
   glm::mat4 view{1}, projection{1};  // Vulkan clip space: y down, z in [0, 1]
@@ -42,8 +42,10 @@ struct FrameState {
 };
 
 // View (looking at the target, or along -up's perpendicular where eye and target coincide), projection and models of a frame.
+// In stereo frames 2k and 2k + 1 are the moment k seen from half an eye distance to the left and to the right of the camera, along
+// its right axis: all else is that of frame k.
 // model = translate * rotate_z * rotate_y * rotate_x * spin * scale; orbits and spins turn by their step * frame * speed.
-FrameState evaluateFrame(const Scenario& scenario, const SessionSpec& session, int frame);
+FrameState evaluateFrame(const Scenario& scenario, const SessionSpec& session, int image);
 
 // The same frame as a pass sees it: with its view, projection and camera position, and for a shadow pass its size.
 FrameState seenByPass(const Scenario& scenario, const FrameState& state, std::size_t pass);

@@ -126,6 +126,8 @@ Result<void> checkRecipe(const Package& package, const Recipe& recipe) {
     return inconsistent("the refresh block must be a power of two from 2 to 1024");
   if (recipe.period_frames != kNeverRefresh && (!std::has_single_bit(recipe.period_frames) || recipe.period_frames > 64))
     return inconsistent("the period must be 1, 2, 4, ... 64 or null");
+  if (recipe.previous == PreviousImage::kOtherEye && (recipe.pattern != PatternKind::kWhole || recipe.period_frames != 2))
+    return inconsistent("the other eye can be the previous image with the pattern whole and the period 2 only");
   std::set<std::string> names;
   for (const Resource& resource : recipe.resources) {
     if (!(resource.scale > 0 && resource.scale <= 1)) return inconsistent("resource '" + resource.name + "' has a scale out of (0, 1]");

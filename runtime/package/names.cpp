@@ -24,8 +24,11 @@ std::optional<Enum> valueIn(const std::array<std::pair<Enum, const char*>, N>& t
   return std::nullopt;
 }
 
-constexpr std::array<std::pair<PatternKind, const char*>, 3> kPatterns = {
-    {{PatternKind::kTiled, "tiled"}, {PatternKind::kRandom, "random"}, {PatternKind::kInterleaved, "interleaved"}}};
+constexpr std::array<std::pair<PatternKind, const char*>, 4> kPatterns = {
+    {{PatternKind::kTiled, "tiled"}, {PatternKind::kRandom, "random"}, {PatternKind::kInterleaved, "interleaved"},
+     {PatternKind::kWhole, "whole"}}};
+constexpr std::array<std::pair<PreviousImage, const char*>, 2> kPreviousImages = {
+    {{PreviousImage::kLastFrame, "frame"}, {PreviousImage::kOtherEye, "other_eye"}}};
 constexpr std::array<std::pair<Filter, const char*>, 2> kFilters = {
     {{Filter::kNearest, "nearest"}, {Filter::kBilinear, "bilinear"}}};
 constexpr std::array<std::pair<Encoding, const char*>, 4> kEncodings = {
@@ -47,10 +50,12 @@ constexpr std::array<std::pair<ResourceFormat, const char*>, 12> kFormats = {
 }  // namespace
 
 const char* nameOf(PatternKind kind) { return nameIn(kPatterns, kind); }
+const char* nameOf(PreviousImage previous) { return nameIn(kPreviousImages, previous); }
 const char* nameOf(Filter filter) { return nameIn(kFilters, filter); }
 const char* nameOf(Encoding encoding) { return nameIn(kEncodings, encoding); }
 const char* nameOf(ResourceFormat format) { return nameIn(kFormats, format); }
 std::optional<PatternKind> patternKindOf(const std::string& name) { return valueIn(kPatterns, name); }
+std::optional<PreviousImage> previousImageOf(const std::string& name) { return valueIn(kPreviousImages, name); }
 std::optional<Filter> filterOf(const std::string& name) { return valueIn(kFilters, name); }
 std::optional<Encoding> encodingOf(const std::string& name) { return valueIn(kEncodings, name); }
 std::optional<ResourceFormat> resourceFormatOf(const std::string& name) { return valueIn(kFormats, name); }

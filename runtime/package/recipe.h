@@ -24,7 +24,7 @@
 
 namespace reprise {
 
-inline constexpr int kRecipeFormatVersion = 3;
+inline constexpr int kRecipeFormatVersion = 4;
 inline constexpr std::size_t kMostColorTargets = 8;  // of a pass; every desktop device has as many
 inline constexpr std::size_t kMostPayloadTargets = 4;                              // of four channels each
 inline constexpr std::size_t kMostPayloadChannels = 4 * kMostPayloadTargets;
@@ -32,7 +32,9 @@ inline constexpr std::size_t kMostPayloadChannels = 4 * kMostPayloadTargets;
 // A number for each channel of a payload; channel c lies in target c / 4.
 using ChannelFloats = std::array<float, kMostPayloadChannels>;
 
-enum class PatternKind { kTiled, kRandom, kInterleaved };
+// kWhole: one group, that is, frames that are due as a whole and frames that are not due at all.
+enum class PatternKind { kTiled, kRandom, kInterleaved, kWhole };
+inline constexpr PatternKind kPatternKinds[] = {PatternKind::kTiled, PatternKind::kRandom, PatternKind::kInterleaved, PatternKind::kWhole};
 enum class Filter { kNearest, kBilinear };
 enum class Encoding { kRgba8, kRgba16, kRgba16f, kRgba32f };  // unorm in the trained range: rgba8, rgba16
 
@@ -55,7 +57,8 @@ std::uint32_t refreshGroup(PatternKind kind, std::uint32_t x, std::uint32_t y, s
 
 // The pixels that are due in a frame, in the form that the shader tests: for random and interleaved {mask, turn}, due where
 // (key & mask) == turn for the hash of a block or its packed coordinates x | y << 16; for tiled the rectangle {x0, y0, x1, y1} in
-// pixels, right and bottom excluded. Never-refresh gives what no pixel matches.
+// pixels, right and bottom excluded; for whole the first word, 1 where every pixel is due, else 0. Never-refresh gives what no
+// pixel matches.
 struct DueBlocks {
   std::uint32_t words[4] = {0, 1, 0, 0};
   bool operator==(const DueBlocks&) const = default;
@@ -68,6 +71,9 @@ struct Refresh {
 };
 
 DueBlocks dueBlocks(const Refresh& refresh, std::uint32_t frame, std::uint32_t width, std::uint32_t height);
+
+// Whether the pattern makes every pixel of a frame due, known without looking at one: true for whole in frames 0, n, 2n, ...
+bool isWhollyDue(const Refresh& refresh, std::uint32_t frame);
 
 // refreshGroup(...) == frame mod n, by the test of the shader; false for never-refresh.
 bool isDue(const DueBlocks& due, const Refresh& refresh, std::uint32_t x, std::uint32_t y);
@@ -159,6 +165,7 @@ struct Pass {
   DepthUse depth = DepthUse::kAsApp;
   StencilUse stencil = StencilUse::kNone;
   std::vector<Read> reads;
+  bool hits_only = false;       // draws no misses: left out, but for its clears, in frames that are wholly due
   bool operator==(const Pass&) const = default;
 };
 
@@ -209,6 +216,12 @@ struct Requirements {
   bool operator==(const Requirements&) const = default;
 };
 
+// Whose image the history is. kOtherEye: the application draws left eye, right eye, left eye, right eye, ..., each pair at one
+// moment; pattern whole at period 2 makes it compute every left eye and take what it can of the right one from there.
+enum class PreviousImage { kLastFrame, kOtherEye };
+const char* nameOf(PreviousImage previous);  // "frame", "other_eye"
+std::optional<PreviousImage> previousImageOf(const std::string& name);
+
 struct Recipe {
   int format_version = kRecipeFormatVersion;
   std::string strategy;   // "original", "branch", "two_pass", ...
@@ -217,6 +230,7 @@ struct Recipe {
   Filter filter = Filter::kNearest;
   Encoding encoding = Encoding::kRgba16f;
   std::uint32_t period_frames = 1;  // the chosen one; a run-time parameter all the same
+  PreviousImage previous = PreviousImage::kLastFrame;
   std::vector<PayloadValue> payload;
   Requirements requirements;
   std::uint32_t reprise_set = 0;

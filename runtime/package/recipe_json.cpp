@@ -62,7 +62,7 @@ json toJson(const Pass& pass) {
           {"vertex_module", pass.vertex_module}, {"fragment_module", pass.fragment_module},
           {"colors", listJson(pass.colors, [](const ColorAttachment& color) { return toJson(color); })},
           {"depth_clear", pass.depth_clear}, {"depth", enumText(kDepths, pass.depth)},
-          {"stencil", enumText(kStencils, pass.stencil)},
+          {"stencil", enumText(kStencils, pass.stencil)}, {"hits_only", pass.hits_only},
           {"reads", listJson(pass.reads, [](const Read& read) { return toJson(read); })}};
 }
 
@@ -77,6 +77,7 @@ Pass passFrom(const json& from) {
   pass.depth_clear = boolAt(from, "depth_clear");
   pass.depth = enumAt(from, "depth", kDepths);
   pass.stencil = enumAt(from, "stencil", kStencils);
+  pass.hits_only = boolAt(from, "hits_only");
   pass.reads = listAt<Read>(from, "reads", readFrom);
   return pass;
 }
@@ -157,6 +158,7 @@ json recipeJson(const Recipe& recipe) {
   return {{"format_version", recipe.format_version}, {"strategy", recipe.strategy}, {"pattern", nameOf(recipe.pattern)},
           {"block_pixels", recipe.block_pixels}, {"filter", nameOf(recipe.filter)}, {"encoding", nameOf(recipe.encoding)},
           {"period_frames", recipe.period_frames == kNeverRefresh ? json(nullptr) : json(recipe.period_frames)},
+          {"previous", nameOf(recipe.previous)},
           {"payload", listJson(recipe.payload, [](const PayloadValue& value) { return toJson(value); })},
           {"requirements", toJson(recipe.requirements)}, {"reprise_set", recipe.reprise_set},
           {"uses_reprise_set", recipe.uses_reprise_set}, {"orthographic", recipe.orthographic},
@@ -176,6 +178,7 @@ Recipe recipeFrom(const json& from) {
   recipe.filter = namedAt(from, "filter", filterOf);
   recipe.encoding = namedAt(from, "encoding", encodingOf);
   recipe.period_frames = from.at("period_frames").is_null() ? kNeverRefresh : integerAt<std::uint32_t>(from, "period_frames");
+  recipe.previous = namedAt(from, "previous", previousImageOf);
   recipe.payload = listAt<PayloadValue>(from, "payload", payloadFrom);
   recipe.requirements = requirementsFrom(from.at("requirements"));
   recipe.reprise_set = integerAt<std::uint32_t>(from, "reprise_set");

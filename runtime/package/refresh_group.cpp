@@ -42,6 +42,7 @@ std::uint32_t refreshGroup(PatternKind kind, std::uint32_t x, std::uint32_t y, s
   REPRISE_CHECK(std::has_single_bit(period_frames) && std::has_single_bit(block) && block >= 2 && width > 0 && height > 0, period_frames, block,
                 width, height);
   const std::uint32_t block_x = x / block, block_y = y / block;
+  if (kind == PatternKind::kWhole) return 0;
   if (kind == PatternKind::kRandom) return hashBlock(block_x, block_y) & (period_frames - 1);
   const GroupGrid grid(period_frames);
   if (kind == PatternKind::kInterleaved) return (block_x & (grid.columns - 1)) + ((block_y & (grid.rows - 1)) << grid.columns_shift);
@@ -49,9 +50,14 @@ std::uint32_t refreshGroup(PatternKind kind, std::uint32_t x, std::uint32_t y, s
   return std::min(block_x / tile.x, grid.columns - 1) + (std::min(block_y / tile.y, grid.rows - 1) << grid.columns_shift);
 }
 
+bool isWhollyDue(const Refresh& refresh, std::uint32_t frame) {
+  return refresh.pattern == PatternKind::kWhole && refresh.period_frames != kNeverRefresh && frame % refresh.period_frames == 0;
+}
+
 DueBlocks dueBlocks(const Refresh& refresh, std::uint32_t frame, std::uint32_t width, std::uint32_t height) {
   if (refresh.period_frames == kNeverRefresh) return refresh.pattern == PatternKind::kTiled ? DueBlocks{{0, 0, 0, 0}} : DueBlocks{};
   REPRISE_CHECK(std::has_single_bit(refresh.period_frames), refresh.period_frames);
+  if (refresh.pattern == PatternKind::kWhole) return {{isWhollyDue(refresh, frame) ? 1u : 0u, 0, 0, 0}};
   const std::uint32_t turn = frame & (refresh.period_frames - 1);
   if (refresh.pattern == PatternKind::kRandom) return {{refresh.period_frames - 1, turn, 0, 0}};
   const GroupGrid grid(refresh.period_frames);
@@ -66,6 +72,7 @@ DueBlocks dueBlocks(const Refresh& refresh, std::uint32_t frame, std::uint32_t w
 
 bool isDue(const DueBlocks& due, const Refresh& refresh, std::uint32_t x, std::uint32_t y) {
   const auto& word = due.words;
+  if (refresh.pattern == PatternKind::kWhole) return word[0] != 0;
   if (refresh.pattern == PatternKind::kTiled) return x >= word[0] && y >= word[1] && x < word[2] && y < word[3];
   const std::uint32_t block_x = x / refresh.block_pixels, block_y = y / refresh.block_pixels;
   const std::uint32_t key = refresh.pattern == PatternKind::kRandom ? hashBlock(block_x, block_y) : block_x | block_y << 16;

@@ -280,6 +280,7 @@ Result<void> Player::record(VkCommandBuffer commands, const FrameInputs& inputs,
     state.updateSets(slot);
   }
   const auto pass_count = static_cast<std::uint32_t>(recipe.passes.size());
+  const bool wholly_due = isWhollyDue({recipe.pattern, inputs.period_frames, recipe.block_pixels}, static_cast<std::uint32_t>(state.frame));
   if (inputs.timestamps != VK_NULL_HANDLE) {
     device.fn.vkCmdResetQueryPool(commands, inputs.timestamps, inputs.first_query, pass_count + 1);
     device.fn.vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, inputs.timestamps, inputs.first_query);
@@ -305,7 +306,7 @@ Result<void> Player::record(VkCommandBuffer commands, const FrameInputs& inputs,
       device.fn.vkCmdBeginQuery(commands, inputs.occlusion, inputs.first_occlusion + index, VK_QUERY_CONTROL_PRECISE_BIT);
     RecordingPass context({&device, commands, state.pipelines.layout.get(), static_cast<int>(index), recipe.uses_reprise_set,
                            recipe.reprise_set, recipe.uses_reprise_set ? slot.sets[index] : VK_NULL_HANDLE, &state.offsets});
-    draw(context);
+    if (!(wholly_due && pass.hits_only)) draw(context);
     if (inputs.occlusion != VK_NULL_HANDLE) device.fn.vkCmdEndQuery(commands, inputs.occlusion, inputs.first_occlusion + index);
     if (ends) device.fn.vkCmdEndRendering(commands);
     if (inputs.timestamps != VK_NULL_HANDLE)

@@ -3,7 +3,7 @@
 //   auto player = Player::create(device, package, pipeline, {});
 //   ... every frame, outside a render pass:
 //   player->record(commands, frame, [&](PassContext& pass) {
-//     // once per draw pass: bind what the original draw binds, with pass.layout(), then for each object
+//     // once per draw pass that the frame needs: bind what the original draw binds, with pass.layout(), then for each object
 //     pass.bindDraw(draw_id);  vkCmdDrawIndexed(...);
 //   });
 //
@@ -11,6 +11,10 @@
 // histories, its pipelines (derived from the application's create-info) and one descriptor set (recipe.h). The player
 // records and never submits. It keeps the bytes of last frame's uniform blocks and push constants itself: the application
 // hands over this frame's with each draw, by draw id, which must name the same object from frame to frame.
+//
+// A package for stereo (recipe().previous is kOtherEye) is recorded once for each eye: left, right, left, right, ... from the first
+// frame on, both eyes of a moment with what they share unchanged. The left eye is computed as a whole, the right one takes from it
+// what both can see. A frame left out swaps the roles of the eyes: the images stay right, the errors change sides.
 //
 // Requires Vulkan 1.3 or VK_KHR_dynamic_rendering with synchronization2 enabled on the device. Where the package's other
 // requirements are missing the original is played and playsOriginal() says why.

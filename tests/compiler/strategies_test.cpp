@@ -62,7 +62,7 @@ TEST_P(StrategyOn, GivesValidModulesAndAConsistentPackage) {
 TEST_P(StrategyOn, EncodingsPatternsAndFiltersAllGiveConsistentPackages) {
   const SubjectOfStrategies subject = subjectOf(GetParam());
   for (const Encoding encoding : {Encoding::kRgba8, Encoding::kRgba16, Encoding::kRgba16f, Encoding::kRgba32f})
-    for (const PatternKind pattern : {PatternKind::kTiled, PatternKind::kRandom, PatternKind::kInterleaved}) {
+    for (const PatternKind pattern : kPatternKinds) {
       VariantOptions options;
       options.strategy = "branch";
       options.encoding = encoding;

@@ -20,7 +20,6 @@
 namespace reprise {
 namespace {
 
-constexpr PatternKind kPatterns[] = {PatternKind::kTiled, PatternKind::kRandom, PatternKind::kInterleaved};
 constexpr Filter kFilters[] = {Filter::kNearest, Filter::kBilinear};
 constexpr Encoding kEncodings[] = {Encoding::kRgba8, Encoding::kRgba16, Encoding::kRgba16f,
                                    Encoding::kRgba32f};
@@ -266,7 +265,7 @@ TEST_P(HonestHits, FetchTheSameSurfaceAndMissLittleThatWasVisible) {
 }
 
 TEST_P(HonestHits, AreAsHonestInEveryPattern) {
-  for (const PatternKind pattern : kPatterns) check("branch", pattern, Filter::kBilinear, Encoding::kRgba16f);
+  for (const PatternKind pattern : kPatternKinds) check("branch", pattern, Filter::kBilinear, Encoding::kRgba16f);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cameras, HonestHits, testing::Bool(), [](const auto& orthographic) {

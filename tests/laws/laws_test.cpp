@@ -13,7 +13,6 @@
 namespace reprise {
 namespace {
 
-constexpr PatternKind kPatterns[] = {PatternKind::kTiled, PatternKind::kRandom, PatternKind::kInterleaved};
 constexpr Encoding kEncodings[] = {Encoding::kRgba8, Encoding::kRgba16, Encoding::kRgba16f, Encoding::kRgba32f};
 constexpr std::uint32_t kPeriod = 4;
 constexpr int kFrames = 6;
@@ -165,7 +164,7 @@ class Laws : public testing::TestWithParam<std::string> {
 
 TEST_P(Laws, HoldForEveryStrategyPatternFilterAndEncoding) {
   const std::vector<PlayedFrame> moving = originals(false), frozen = originals(true);
-  for (const PatternKind pattern : kPatterns)
+  for (const PatternKind pattern : kPatternKinds)
     for (const Filter filter : filters())
       for (const Encoding encoding : kEncodings) {
         std::vector<PlayedFrame> first;

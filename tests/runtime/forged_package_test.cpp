@@ -60,6 +60,7 @@ TEST_F(ForgedPackage, NumbersOutOfRangeAreRefusedByName) {
 
 TEST_F(ForgedPackage, UnknownSpellingsAreRefusedByName) {
   const std::pair<const char*, const char*> spellings[] = {{"/variant/pattern", "spiral"},
+                                                           {"/variant/previous", "third_eye"},
                                                            {"/variant/passes/0/depth", "never"},
                                                            {"/variant/passes/0/colors/0/load", "keep"},
                                                            {"/variant/resources/0/lifetime", "for ever"},
@@ -130,6 +131,17 @@ const Contradiction kContradictions[] = {
        recipe.passes[1].rendering = 1;
      }},
     {"stencil that is not required", [](Recipe& recipe) { recipe.passes[0].stencil = StencilUse::kMarkIfZero; }},
+    {"other eye in a pattern that spreads over frames",
+     [](Recipe& recipe) {
+       recipe.previous = PreviousImage::kOtherEye;
+       recipe.period_frames = 2;
+     }},
+    {"other eye at another period",
+     [](Recipe& recipe) {
+       recipe.previous = PreviousImage::kOtherEye;
+       recipe.pattern = PatternKind::kWhole;
+       recipe.period_frames = 4;
+     }},
     {"block of one", [](Recipe& recipe) { recipe.block_pixels = 1; }},
     {"set out of range", [](Recipe& recipe) { recipe.reprise_set = 4000000000u; }},
     {"scale of zero", [](Recipe& recipe) { recipe.resources[0].scale = 0; }},

@@ -28,6 +28,22 @@ class Passes : public PlaybackStage {
   }
 };
 
+TEST_F(Passes, ForHitsAloneAreLeftOutOfFramesThatAreWhollyDue) {
+  Package package = prepassPackage();
+  package.variant.pattern = PatternKind::kWhole;
+  package.variant.passes[0].hits_only = true;
+  Player player = makePlayer(package);
+  for (int number = 0; number < 4; ++number) {
+    FrameInputs frame = inputs(far_then_near_);
+    frame.period_frames = 2;
+    std::vector<int> drawn;
+    run([&](VkCommandBuffer commands) {
+      return player.record(commands, frame, [&](PassContext& pass) { drawn.push_back(pass.pass()); });
+    });
+    EXPECT_EQ(drawn, number % 2 == 0 ? std::vector<int>{1} : (std::vector<int>{0, 1})) << number;
+  }
+}
+
 TEST_F(Passes, PrepassShadesEachPixelOnce) {
   const Handle<VkQueryPool> queries = makeQueries(VK_QUERY_TYPE_OCCLUSION, 3);
   FrameInputs frame = inputs(far_then_near_);

@@ -19,7 +19,7 @@ struct Target {
 };
 
 Target anyTarget() {
-  return {*rc::gen::element(PatternKind::kTiled, PatternKind::kRandom, PatternKind::kInterleaved),
+  return {*rc::gen::element(PatternKind::kTiled, PatternKind::kRandom, PatternKind::kInterleaved, PatternKind::kWhole),
           1u << *rc::gen::inRange(0, 7), 1u << *rc::gen::inRange(1, 6), *rc::gen::inRange<std::uint32_t>(1, 700),
           *rc::gen::inRange<std::uint32_t>(1, 500)};
 }

@@ -61,7 +61,7 @@ Read anyRead() { return {anyText(), anyCount(), oneOf({Filter::kNearest, Filter:
 Pass anyPass() {
   return {anyText(), oneOf({PassKind::kDraw, PassKind::kDispatch, PassKind::kFullScreen}), anyInt(), anyText(), anyText(),
           some<ColorAttachment>(anyColor), anyBool(), oneOf({DepthUse::kAsApp, DepthUse::kEqualNoWrite}),
-          oneOf({StencilUse::kNone, StencilUse::kMarkIfZero}), some<Read>(anyRead)};
+          oneOf({StencilUse::kNone, StencilUse::kMarkIfZero}), some<Read>(anyRead), anyBool()};
 }
 
 PreviousInput anyPrevious() {
@@ -85,11 +85,12 @@ CacheConstants anyConstants() {
 Recipe anyRecipe() {
   Recipe recipe;
   recipe.strategy = anyText();
-  recipe.pattern = oneOf({PatternKind::kTiled, PatternKind::kRandom, PatternKind::kInterleaved});
+  recipe.pattern = oneOf({PatternKind::kTiled, PatternKind::kRandom, PatternKind::kInterleaved, PatternKind::kWhole});
   recipe.block_pixels = anyCount();
   recipe.filter = oneOf({Filter::kNearest, Filter::kBilinear});
   recipe.encoding = oneOf({Encoding::kRgba8, Encoding::kRgba16, Encoding::kRgba16f, Encoding::kRgba32f});
   recipe.period_frames = oneOf({kNeverRefresh, 1u, 64u});
+  recipe.previous = oneOf({PreviousImage::kLastFrame, PreviousImage::kOtherEye});
   recipe.payload = some<PayloadValue>(anyPayload);
   recipe.requirements = {anyBool(), anyBool(), anyBool(), anyBool(), anyInt()};
   recipe.reprise_set = anyCount();
@@ -144,7 +145,7 @@ RC_GTEST_PROP(RoundTrip, KeepsRecipes, ()) {
   RC_ASSERT(std::memcmp(&read->constants, &recipe.constants, sizeof(CacheConstants)) == 0);
   RC_ASSERT(read->resources == recipe.resources && read->passes == recipe.passes && read->modules == recipe.modules);
   RC_ASSERT(read->previous_inputs == recipe.previous_inputs && read->format_version == recipe.format_version);
-  RC_ASSERT(read->orthographic == recipe.orthographic);
+  RC_ASSERT(read->orthographic == recipe.orthographic && read->previous == recipe.previous);
 }
 
 RC_GTEST_PROP(RoundTrip, KeepsInterfaces, ()) {

@@ -267,6 +267,7 @@ Scenario anyScenario(const fs::path& folder) {
   scenario.frames = *rc::gen::inRange(1, 1000);
   scenario.frame_time_s = anyFloat(0.001f, 1);
   if (*rc::gen::arbitrary<bool>()) scenario.periods = {1, 0, 64};
+  if (*rc::gen::arbitrary<bool>()) scenario.stereo = Stereo{anyFloat(0.001f, 2)}, scenario.periods = {1, 2};
   scenario.seed = *rc::gen::arbitrary<std::uint32_t>();
   scenario.tone_map = static_cast<ToneMap>(*rc::gen::inRange(0, 3));
   scenario.exposure = anyFloat(0.1f, 8);

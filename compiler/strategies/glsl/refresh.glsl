@@ -1,5 +1,8 @@
 // When a pixel's payload is due to be computed again: isDue() of runtime/package/recipe.h.
 bool repriseDue() {
+#if PATTERN == PATTERN_WHOLE
+  return reprise.due.x != 0u;
+#else
   uvec2 pixel = uvec2(gl_FragCoord.xy);
 #if PATTERN == PATTERN_TILED
   bvec2 from = greaterThanEqual(pixel, reprise.due.xy);
@@ -20,5 +23,6 @@ bool repriseDue() {
   uint key = block.x | block.y << 16;
 #endif
   return (key & reprise.due.x) == reprise.due.y;
+#endif
 #endif
 }
