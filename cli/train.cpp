@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 
 #include "cli/fit.h"
 
@@ -37,8 +39,7 @@ class Trainer {
     for (const std::size_t candidate : kept)
       if (training_.failed.count(candidate) == 0)
         addStudy(candidate, baseOptions(subject_, training_.ranges[candidate], subject_.candidates[candidate]));
-    REPRISE_TRY(measureStudies(0, studyPeriods()));
-    REPRISE_TRY(timeCandidates());
+    REPRISE_TRY(study(0, studyPeriods(), [this] { return worthTiming(); }));
     REPRISE_TRY(refine());
     return std::move(training_);
   }
@@ -165,10 +166,31 @@ class Trainer {
     training_.errors.push_back({candidate, instrumented, {}, ""});
   }
 
-  // Errors of all studies from `first` on, session by session, all entries of a session in one job.
-  Result<void> measureStudies(std::size_t first, const std::vector<std::uint32_t>& periods) {
+  using StudyAndStrategy = std::pair<std::size_t, std::string>;
+
+  struct ErrorPlan {
     std::vector<SeriesRequest> requests;
-    std::vector<std::pair<std::size_t, std::uint32_t>> places;
+    std::vector<std::pair<std::size_t, std::uint32_t>> places;  // study and period of each
+  };
+
+  // Session by session the errors of all studies from `first` on, then the frame times of those that `chosen` names once the first
+  // session's errors are known: a budget that ends early leaves whole sessions, of which each can be fitted.
+  Result<void> study(std::size_t first, const std::vector<std::uint32_t>& periods, const std::function<std::vector<StudyAndStrategy>()>& chosen) {
+    REPRISE_ASSIGN(const ErrorPlan errors, planErrors(first, periods));
+    std::optional<TimePlan> times;
+    for (const std::string& session : sessions_) {
+      REPRISE_TRY(measureErrorsOf(session, errors));
+      if (!times) {
+        REPRISE_ASSIGN(times, planTimes(chosen()));
+        if (first > 0 && times->variants == 0) return {};
+      }
+      REPRISE_TRY(timeSession(session, *times));
+    }
+    return {};
+  }
+
+  Result<ErrorPlan> planErrors(std::size_t first, const std::vector<std::uint32_t>& periods) {
+    ErrorPlan plan;
     for (std::size_t study = first; study < training_.errors.size(); ++study) {
       ErrorStudy& errors = training_.errors[study];
       const Result<StoredVariant> variant =
@@ -179,22 +201,23 @@ class Trainer {
         continue;
       }
       for (const std::uint32_t period : periods) {
-        requests.push_back({variant->dir, variant->hash, period});
-        places.push_back({study, period});
+        plan.requests.push_back({variant->dir, variant->hash, period});
+        plan.places.push_back({study, period});
       }
     }
-    if (requests.empty()) return {};
-    for (const std::string& session : sessions_) {
-      if (outOfBudget(fmt::format("errors of {} variants in session '{}'", requests.size(), session))) continue;
-      progress_.begin(fmt::format("errors: {} x {}", session, requests.size()));
-      REPRISE_ASSIGN(std::vector<ErrorSeries> series, measureErrors(measuring_, session, requests, 0));
-      for (std::size_t i = 0; i < series.size(); ++i) {
-        ErrorStudy& errors = training_.errors[places[i].first];
-        if (series[i].failure) {
-          errors.failure = series[i].failure->message;
-        } else {
-          errors.rows[places[i].second][session] = std::move(series[i].rows);
-        }
+    return plan;
+  }
+
+  Result<void> measureErrorsOf(const std::string& session, const ErrorPlan& plan) {
+    if (plan.requests.empty() || outOfBudget(fmt::format("errors of {} variants in session '{}'", plan.requests.size(), session))) return {};
+    progress_.begin(fmt::format("errors: {} x {}", session, plan.requests.size()));
+    REPRISE_ASSIGN(std::vector<ErrorSeries> series, measureErrors(measuring_, session, plan.requests, 0));
+    for (std::size_t i = 0; i < series.size(); ++i) {
+      ErrorStudy& errors = training_.errors[plan.places[i].first];
+      if (series[i].failure) {
+        errors.failure = series[i].failure->message;
+      } else {
+        errors.rows[plan.places[i].second][session] = std::move(series[i].rows);
       }
     }
     return {};
@@ -221,25 +244,21 @@ class Trainer {
     return names;
   }
 
-  Result<void> timeCandidates() {
-    std::vector<std::size_t> chosen;
+  // None: the original's time is wanted also where no candidate is worth timing.
+  std::vector<StudyAndStrategy> worthTiming() {
+    std::vector<StudyAndStrategy> wanted;
+    std::size_t timed = 0;
     for (std::size_t study = 0; study < training_.errors.size(); ++study) {
       if (training_.errors[study].rows.empty() || longestPeriod(training_.errors[study]) < 2) continue;
-      if (chosen.size() == options_.timed_candidates) {
+      if (timed == options_.timed_candidates) {
         training_.not_reached.push_back("frame times of " + subject_.candidates[training_.errors[study].candidate].id + " (fewer candidates are timed than have an acceptable error)");
         continue;
       }
-      chosen.push_back(study);
-    }
-    if (chosen.empty()) return timeReferences();
-    std::vector<std::pair<std::size_t, std::string>> wanted;
-    for (const std::size_t study : chosen)
+      ++timed;
       for (const std::string& strategy : usableStrategies()) wanted.push_back({study, strategy});
-    return timeVariants(wanted);
+    }
+    return wanted;
   }
-
-  // The original's time is wanted also where no candidate is worth timing.
-  Result<void> timeReferences() { return timeVariants({}); }
 
   struct TimedEntry {
     enum class Kind { kOriginal, kPrepass, kLimit, kVariant } kind = Kind::kVariant;
@@ -247,8 +266,13 @@ class Trainer {
     std::uint32_t period = 1;
   };
 
-  Result<void> addEntry(const VariantOptions& options, std::size_t candidate, const TimedEntry& entry,
-                        std::vector<SeriesRequest>& requests, std::vector<TimedEntry>& entries, std::string* failure) {
+  struct TimePlan {
+    std::vector<SeriesRequest> requests;
+    std::vector<TimedEntry> entries;  // of each request
+    std::size_t variants = 0;         // studies that were asked for
+  };
+
+  Result<void> addEntry(const VariantOptions& options, std::size_t candidate, const TimedEntry& entry, TimePlan& plan, std::string* failure) {
     const Candidate& payload = subject_.candidates.empty() ? Candidate{} : subject_.candidates[candidate];
     const Result<StoredVariant> variant = storeVariant(workspace_, subject_.program, payload, options, subject_.limits);
     if (!variant.ok()) {
@@ -256,26 +280,26 @@ class Trainer {
       if (failure != nullptr) *failure = variant.error().message;
       return {};
     }
-    requests.push_back({variant->dir, variant->hash, entry.period});
-    entries.push_back(entry);
+    plan.requests.push_back({variant->dir, variant->hash, entry.period});
+    plan.entries.push_back(entry);
     return {};
   }
 
-  Result<void> timeVariants(const std::vector<std::pair<std::size_t, std::string>>& wanted) {
-    std::vector<SeriesRequest> requests;
-    std::vector<TimedEntry> entries;
+  Result<TimePlan> planTimes(const std::vector<StudyAndStrategy>& wanted) {
+    TimePlan plan;
+    plan.variants = wanted.size();
     VariantOptions reference = baseOptions(subject_, wideRanges());
     reference.strategy = "original";
-    REPRISE_TRY(addEntry(reference, 0, {TimedEntry::Kind::kOriginal, 0, 1}, requests, entries, nullptr));
+    REPRISE_TRY(addEntry(reference, 0, {TimedEntry::Kind::kOriginal, 0, 1}, plan, nullptr));
     reference.strategy = "original_prepass";
-    REPRISE_TRY(addEntry(reference, 0, {TimedEntry::Kind::kPrepass, 0, 1}, requests, entries, nullptr));
+    REPRISE_TRY(addEntry(reference, 0, {TimedEntry::Kind::kPrepass, 0, 1}, plan, nullptr));
     for (const auto& [study, strategy] : wanted) {
       const ErrorStudy& errors = training_.errors[study];
       VariantOptions options = errors.options;
       options.instrumented = false;
       if (training_.limits.emplace(errors.candidate, std::vector<TimedFrame>{}).second) {
         options.strategy = "tail_only";
-        REPRISE_TRY(addEntry(options, errors.candidate, {TimedEntry::Kind::kLimit, errors.candidate, 1}, requests, entries, nullptr));
+        REPRISE_TRY(addEntry(options, errors.candidate, {TimedEntry::Kind::kLimit, errors.candidate, 1}, plan, nullptr));
       }
       options.strategy = strategy;
       training_.costs.push_back({study, strategy, {}, {}, ""});
@@ -283,18 +307,21 @@ class Trainer {
       std::vector<std::uint32_t> periods{2};
       if (longest > 2) periods.push_back(longest);
       for (const std::uint32_t period : periods)
-        REPRISE_TRY(addEntry(options, errors.candidate, {TimedEntry::Kind::kVariant, training_.costs.size() - 1, period}, requests, entries,
+        REPRISE_TRY(addEntry(options, errors.candidate, {TimedEntry::Kind::kVariant, training_.costs.size() - 1, period}, plan,
                              &training_.costs.back().failure));
     }
-    for (const std::string& session : sessions_) {
-      if (outOfBudget(fmt::format("frame times of {} variants in session '{}'", requests.size(), session))) continue;
-      progress_.begin(fmt::format("times: {} x {}", session, requests.size()));
-      REPRISE_ASSIGN(const std::vector<TimeSeries> series, measureTimes(measuring_, {session, imagesOf(subject_.scenario, options_.rounds), false}, requests));
-      const std::vector<TimedFrame> paired = fasterReference(entries, series);
-      for (std::size_t i = 0; i < series.size(); ++i) {
-        keepTimes(session, entries[i], series[i]);
-        if (entries[i].kind == TimedEntry::Kind::kVariant) training_.costs[entries[i].target].reference[session] = paired;
-      }
+    return plan;
+  }
+
+  Result<void> timeSession(const std::string& session, const TimePlan& plan) {
+    if (outOfBudget(fmt::format("frame times of {} variants in session '{}'", plan.requests.size(), session))) return {};
+    progress_.begin(fmt::format("times: {} x {}", session, plan.requests.size()));
+    REPRISE_ASSIGN(const std::vector<TimeSeries> series,
+                   measureTimes(measuring_, {session, imagesOf(subject_.scenario, options_.rounds), false}, plan.requests));
+    const std::vector<TimedFrame> paired = fasterReference(plan.entries, series);
+    for (std::size_t i = 0; i < series.size(); ++i) {
+      keepTimes(session, plan.entries[i], series[i]);
+      if (plan.entries[i].kind == TimedEntry::Kind::kVariant) training_.costs[plan.entries[i].target].reference[session] = paired;
     }
     return {};
   }
@@ -362,11 +389,12 @@ class Trainer {
     for (const std::uint32_t period : {std::min(best.period_frames, longest), longest})
       if (period != kNeverRefresh && std::find(periods.begin(), periods.end(), period) == periods.end()) periods.push_back(period);
     if (std::find(periods.begin(), periods.end(), 2u) == periods.end()) periods.insert(periods.begin(), 2u);
-    REPRISE_TRY(measureStudies(first, periods));
-    std::vector<std::pair<std::size_t, std::string>> wanted;
-    for (std::size_t study = first; study < training_.errors.size(); ++study)
-      if (!training_.errors[study].rows.empty() && longestPeriod(training_.errors[study]) >= 2) wanted.push_back({study, best_costs.strategy});
-    return wanted.empty() ? Result<void>{} : timeVariants(wanted);
+    return study(first, periods, [&] {
+      std::vector<StudyAndStrategy> wanted;
+      for (std::size_t study = first; study < training_.errors.size(); ++study)
+        if (!training_.errors[study].rows.empty() && longestPeriod(training_.errors[study]) >= 2) wanted.push_back({study, best_costs.strategy});
+      return wanted;
+    });
   }
 
   const Subject& subject_;

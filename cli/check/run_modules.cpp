@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <deque>
 #include <iostream>
 #include <iterator>
 
@@ -103,26 +104,45 @@ ModuleVerdict verdictOf(const Worker& worker, const std::string& path, int statu
   return verdict;
 }
 
+// A device that one process loses or fills is lost to its neighbours, too, and a busy one lets them run out of time: only alone
+// does such an end say something about the module.
+bool wantsASecondRun(const ModuleVerdict& verdict) {
+  for (const char* code : {"device.lost", "device.timeout", "device.memory", "original.crashed", "original.hung", "variant.crashed", "variant.hung"})
+    if (verdict.code == code) return true;
+  return false;
+}
+
 class ModuleRun {
  public:
   ModuleRun(const std::vector<CheckRequest>& requests, const RunModulesOptions& options, const std::function<void(const ModuleVerdict&)>& done)
       : requests_(requests), options_(options), done_(done), verdicts_(requests.size()) {}
 
   Result<std::vector<ModuleVerdict>> run() {
-    while (next_ < requests_.size() || !workers_.empty()) {
-      while (next_ < requests_.size() && workers_.size() < static_cast<std::size_t>(std::max(options_.jobs, 1))) {
-        Result<Worker> worker = startWorker(options_.worker_path, requests_[next_]);
+    jobs_ = static_cast<std::size_t>(std::max(options_.jobs, 1));
+    for (std::size_t request = 0; request < requests_.size(); ++request) waiting_.push_back(request);
+    REPRISE_TRY(runWaiting());
+    jobs_ = 1;
+    waiting_ = std::move(again_);
+    REPRISE_TRY(runWaiting());
+    return std::move(verdicts_);
+  }
+
+ private:
+  Result<void> runWaiting() {
+    while (!waiting_.empty() || !workers_.empty()) {
+      while (!waiting_.empty() && workers_.size() < jobs_) {
+        Result<Worker> worker = startWorker(options_.worker_path, requests_[waiting_.front()]);
         if (!worker.ok()) return ended(worker.error());
-        worker->request = next_++;
+        worker->request = waiting_.front();
+        waiting_.pop_front();
         workers_.push_back(std::move(*worker));
       }
       if (options_.interrupted && options_.interrupted()) return ended({ErrorKind::kInterrupted, "check.interrupted", "interrupted", {}});
       readAll();
     }
-    return std::move(verdicts_);
+    return {};
   }
 
- private:
   Error ended(Error error) {
     for (Worker& worker : workers_) stop(worker);
     return error;
@@ -153,8 +173,13 @@ class ModuleRun {
     int status = 0;
     ::waitpid(worker.process, &status, 0);
     ::close(worker.output);
-    verdicts_[worker.request] = verdictOf(worker, requests_[worker.request].path, status);
-    done_(verdicts_[worker.request]);
+    const ModuleVerdict verdict = verdictOf(worker, requests_[worker.request].path, status);
+    if (jobs_ > 1 && wantsASecondRun(verdict)) {
+      again_.push_back(worker.request);
+      return;
+    }
+    verdicts_[worker.request] = verdict;
+    done_(verdict);
   }
 
   const std::vector<CheckRequest>& requests_;
@@ -162,7 +187,8 @@ class ModuleRun {
   const std::function<void(const ModuleVerdict&)>& done_;
   std::vector<ModuleVerdict> verdicts_;
   std::vector<Worker> workers_;
-  std::size_t next_ = 0;
+  std::deque<std::size_t> waiting_, again_;  // requests: to be started; to be run alone at the end
+  std::size_t jobs_ = 1;
 };
 
 }  // namespace

@@ -18,7 +18,8 @@ struct RunModulesOptions {
 };
 
 // Verdicts in the order of `requests`; `done` is called as each comes in. A worker that ends before the original was played makes
-// the module untestable (original.crashed, original.hung), after it crashed or hung. Errors: kInterrupted, kMachine (no process).
+// the module untestable (original.crashed, original.hung), after it crashed or hung. Modules that
+// lost the device, crashed or hung beside others are run again alone, at the end. Errors: kInterrupted, kMachine (no process).
 Result<std::vector<ModuleVerdict>> runModules(const std::vector<CheckRequest>& requests, const RunModulesOptions& options,
                                               const std::function<void(const ModuleVerdict&)>& done);
 

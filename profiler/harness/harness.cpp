@@ -180,7 +180,17 @@ Result<Player> Harness::createPlayer(const Package& package, bool original) cons
   VkPipelineDepthStencilStateCreateInfo depth{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
   depth.depthTestEnable = depth.depthWriteEnable = VK_TRUE;
   depth.depthCompareOp = VK_COMPARE_OP_LESS;
+  // Channels that the shader has no components for are undefined; unwritten they are zero.
+  std::vector<VkPipelineColorBlendAttachmentState> attachments;
+  for (const FragmentOutput& output : state.interface->outputs) {
+    attachments.emplace_back();
+    attachments.back().colorWriteMask = output.components < 4 ? (1u << output.components) - 1 : 0xfu;
+  }
+  VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
+  blend.attachmentCount = static_cast<std::uint32_t>(attachments.size());
+  blend.pAttachments = attachments.data();
   VkGraphicsPipelineCreateInfo create{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO};
+  create.pColorBlendState = &blend;
   create.pVertexInputState = &vertex_input;
   create.pInputAssemblyState = &assembly;
   create.pRasterizationState = &rasterization;

@@ -1,4 +1,5 @@
-// A buffer in host-visible, coherent memory, mapped for as long as it lives.
+// A buffer in host-visible, coherent memory, mapped for as long as it lives: cached by the processor if it is a transfer's destination,
+// which the host reads, and on the device where that can be mapped if the device reads it.
 #pragma once
 
 #include <cstddef>

@@ -75,6 +75,33 @@ echo "{\"path\":\"$path\",\"verdict\":\"verified\",\"code\":\"\",\"reason\":\"\"
   }
 }
 
+TEST_F(RunModules, ADeviceLostBesideOthersIsLookedAtAgainAlone) {
+  // Whoever is not alone loses the device; the first one is there long enough for the second to come.
+  writeText(folder_ / "worker", R"sh(#!/bin/sh
+request=$(cat)
+path=$(printf '%s' "$request" | sed 's/.*"path":"\([^"]*\)".*/\1/')
+answer() { echo "{\"path\":\"$path\",\"verdict\":\"$1\",\"code\":\"$2\",\"reason\":\"\",\"candidates\":1,\"variants\":4,\"refused_strategies\":[],\"seconds\":0.1}"; }
+if mkdir "$(dirname "$0")/device" 2> /dev/null; then
+  sleep 0.4
+  rmdir "$(dirname "$0")/device"
+  answer verified ""
+else
+  answer untestable device.lost
+fi
+)sh");
+  std::filesystem::permissions(folder_ / "worker", std::filesystem::perms::owner_all);
+  std::vector<CheckRequest> requests(3);
+  for (std::size_t i = 0; i < requests.size(); ++i) requests[i].path = std::to_string(i) + ".frag";
+  RunModulesOptions options;
+  options.worker_path = (folder_ / "worker").string();
+  options.jobs = 2;
+  int done = 0;
+  const auto verdicts = runModules(requests, options, [&](const ModuleVerdict&) { ++done; });
+  ASSERT_TRUE(verdicts.ok());
+  EXPECT_EQ(done, 3);
+  for (const ModuleVerdict& verdict : *verdicts) EXPECT_EQ(verdict.verdict, Verdict::kVerified) << verdict.path;
+}
+
 TEST_F(RunModules, AnInterruptStopsEveryWorker) {
   writeText(folder_ / "worker", "#!/bin/sh\nexec sleep 60\n");
   std::filesystem::permissions(folder_ / "worker", std::filesystem::perms::owner_all);
