@@ -8,18 +8,15 @@
 #include <optional>
 
 #include "cli/fit.h"
+#include "cli/probe_candidates.h"
 
 namespace reprise {
 namespace {
 
-constexpr int kProbeFrames = 12;
-constexpr std::uint32_t kProbeScale = 4;
-constexpr float kRangeMargin = 0.05f;
-
-std::vector<std::string> sessionNames(const Scenario& scenario, SessionRole role) {
+std::vector<std::string> trainingSessions(const Scenario& scenario) {
   std::vector<std::string> names;
   for (const SessionSpec& session : scenario.sessions)
-    if (session.role == role) names.push_back(session.name);
+    if (session.role == SessionRole::kTraining) names.push_back(session.name);
   return names;
 }
 
@@ -27,18 +24,16 @@ class Trainer {
  public:
   Trainer(const Subject& subject, const Workspace& workspace, const Measuring& measuring, const TrainOptions& options, Progress& progress)
       : subject_(subject), workspace_(workspace), measuring_(measuring), options_(options), progress_(progress),
-        sessions_(sessionNames(subject.scenario, SessionRole::kTraining)) {
+        sessions_(trainingSessions(subject.scenario)) {
     measuring_.progress = [this](const JobProgress& state) { progress_.update(state.done, state.total); };
   }
 
   Result<Training> run() {
-    std::vector<std::size_t> kept;
-    for (std::size_t i = 0; i < subject_.candidates.size(); ++i)
-      if (subject_.candidates[i].kept()) kept.push_back(i);
-    REPRISE_TRY(probe(kept));
-    for (const std::size_t candidate : kept)
-      if (training_.failed.count(candidate) == 0)
-        addStudy(candidate, baseOptions(subject_, training_.ranges[candidate], subject_.candidates[candidate]));
+    REPRISE_ASSIGN(ProbedRanges probed, probeCandidates(subject_, workspace_, measuring_, progress_));
+    training_.ranges = std::move(probed.ranges);
+    training_.failed = std::move(probed.failed);
+    training_.warnings = std::move(probed.warnings);
+    for (const auto& [candidate, ranges] : training_.ranges) addStudy(candidate, baseOptions(subject_, ranges, subject_.candidates[candidate]));
     REPRISE_TRY(study(0, studyPeriods(), [this] { return worthTiming(); }));
     REPRISE_TRY(refine());
     return std::move(training_);
@@ -64,98 +59,6 @@ class Trainer {
     for (const SessionSpec& session : subject_.scenario.sessions)
       if (session.role == SessionRole::kTraining) shortest = std::min(shortest, session.frames > 0 ? session.frames : subject_.scenario.frames);
     return shortest;
-  }
-
-  Result<void> probe(const std::vector<std::size_t>& kept) {
-    Job job;
-    job.kind = JobKind::kProbe;
-    job.scenario_path = measuring_.scenario_path;
-    job.original_dir = measuring_.original_dir;
-    job.device = measuring_.device;
-    job.frames = kProbeFrames;
-    job.width = std::max(64u, measuring_.base.width / kProbeScale);
-    job.height = std::max(36u, measuring_.base.height / kProbeScale);
-    std::vector<std::size_t> probed;
-    for (const std::size_t candidate : kept) {
-      VariantOptions options = baseOptions(subject_, wideRanges(), subject_.candidates[candidate]);
-      options.strategy = "branch";
-      options.encoding = Encoding::kRgba32f;
-      const Result<StoredVariant> variant = storeVariant(workspace_, subject_.program, subject_.candidates[candidate], options, subject_.limits);
-      if (!variant.ok()) {
-        if (variant.error().kind != ErrorKind::kRefused) return variant.error();
-        training_.failed[candidate] = variant.error().message;
-        continue;
-      }
-      job.entries.push_back({variant->dir, 1});
-      probed.push_back(candidate);
-    }
-    if (probed.empty()) return {};
-    progress_.begin("probe payload ranges");
-    std::map<std::size_t, ProbeResult> merged;
-    for (const std::string& session : sessions_) {
-      job.session = session;
-      const Result<JobResult> result = superviseJob(job, measuring_.supervisor, measuring_.progress);
-      if (!result.ok()) {
-        if (result.error().kind != ErrorKind::kMeasurement) return result.error();
-        for (const std::size_t candidate : probed) training_.failed[candidate] = result.error().message;
-        return {};
-      }
-      for (std::size_t i = 0; i < probed.size(); ++i) merge(merged, probed[i], result->probes[i]);
-    }
-    for (const auto& [candidate, probe] : merged) rangesFrom(candidate, probe);
-    return {};
-  }
-
-  static void merge(std::map<std::size_t, ProbeResult>& merged, std::size_t candidate, const ProbeResult& probe) {
-    const auto [entry, fresh] = merged.emplace(candidate, probe);
-    if (fresh) return;
-    ProbeResult& all = entry->second;
-    for (std::size_t channel = 0; channel < kMostPayloadChannels; ++channel) {
-      all.payload_min[channel] = std::min(all.payload_min[channel], probe.payload_min[channel]);
-      all.payload_max[channel] = std::max(all.payload_max[channel], probe.payload_max[channel]);
-    }
-    all.depth_min = std::min(all.depth_min, probe.depth_min);
-    all.depth_max = std::max(all.depth_max, probe.depth_max);
-    all.nonfinite_payload += probe.nonfinite_payload;
-    all.nonfinite_color += probe.nonfinite_color;
-    all.covered += probe.covered;
-  }
-
-  ValueRanges wideRanges() const {
-    ValueRanges ranges;
-    ranges.depth_near = 1e9f;
-    ranges.depth_far = 0;
-    for (const SessionSpec& session : subject_.scenario.sessions) {
-      ranges.depth_near = std::min(ranges.depth_near, session.camera.near_plane);
-      ranges.depth_far = std::max(ranges.depth_far, session.camera.far_plane);
-    }
-    // Orthographic history depth is clip z.
-    if (subject_.orthographic) ranges.depth_near = 0, ranges.depth_far = 1;
-    return ranges;
-  }
-
-  // The depth range is widened: validation paths and applications come nearer and go farther than training did.
-  void rangesFrom(std::size_t candidate, const ProbeResult& probe) {
-    ValueRanges ranges = wideRanges();
-    if (probe.covered > 0 && probe.depth_max > probe.depth_min) {
-      const float near = ranges.depth_near, far = ranges.depth_far;
-      ranges.depth_near = std::max(near, probe.depth_min * 0.5f);
-      ranges.depth_far = std::min(far, probe.depth_max * 1.5f);
-    }
-    for (std::size_t channel = 0; channel < kMostPayloadChannels; ++channel) {
-      const float margin = (probe.payload_max[channel] - probe.payload_min[channel]) * kRangeMargin;
-      ranges.payload_min[channel] = probe.payload_min[channel] - margin;
-      ranges.payload_max[channel] = probe.payload_max[channel] + margin;
-    }
-    training_.ranges[candidate] = ranges;
-    const std::string& id = subject_.candidates[candidate].id;
-    if (probe.nonfinite_payload > 0)
-      training_.warnings.push_back(fmt::format("{}: {} pixels had a payload that is not finite or was not computed; such pixels always miss", id, probe.nonfinite_payload));
-    if (probe.nonfinite_color > 0 && !warned_nonfinite_) {
-      warned_nonfinite_ = true;
-      training_.warnings.push_back(fmt::format("the original shader itself gives NaN or infinity in {} pixels of the probe; they are left out of errors",
-                                               probe.nonfinite_color));
-    }
   }
 
   void addStudy(std::size_t candidate, const VariantOptions& options) {
@@ -288,7 +191,7 @@ class Trainer {
   Result<TimePlan> planTimes(const std::vector<StudyAndStrategy>& wanted) {
     TimePlan plan;
     plan.variants = wanted.size();
-    VariantOptions reference = baseOptions(subject_, wideRanges());
+    VariantOptions reference = baseOptions(subject_, unprobedRanges(subject_));
     reference.strategy = "original";
     REPRISE_TRY(addEntry(reference, 0, {TimedEntry::Kind::kOriginal, 0, 1}, plan, nullptr));
     reference.strategy = "original_prepass";
@@ -404,7 +307,6 @@ class Trainer {
   Progress& progress_;
   std::vector<std::string> sessions_;
   Training training_;
-  bool warned_nonfinite_ = false;
 };
 
 }  // namespace

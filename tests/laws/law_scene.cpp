@@ -4,12 +4,27 @@
 #include <cstring>
 #include <filesystem>
 
+#include "compiler/ir/reproducible.h"
+
 namespace reprise {
 
 namespace {
 
 bool allNamed(const Candidate& candidate) {
   return std::all_of(candidate.values.begin(), candidate.values.end(), [](const CandidateValue& value) { return !value.name.empty(); });
+}
+
+// GPU drivers fuse and reassociate an expression as its surroundings have it, which differ between a variant and the original. Laws
+// hold bit for bit where neither may; regrouping needs sums that allow it, and has a tolerance for them.
+void forbidContraction(Subject& subject) {
+  CompiledShader vertex, fragment;
+  vertex.stage = ShaderStage::kVertex;
+  vertex.words = subject.program.vertex_words;
+  fragment.sources = subject.program.sources;
+  if (!fragment.sources.empty()) fragment.main_path = fragment.sources.front().path;
+  fragment.words = writeModule(withoutContraction(readModule(subject.program.fragment_words).value()));
+  subject.program = readProgram(vertex, fragment).value();
+  subject.candidates = enumerateCandidates(*subject.program.fragment, subject.program.analysis, subject.program.sources, {});
 }
 
 }  // namespace
@@ -22,6 +37,7 @@ std::unique_ptr<LawScene> LawScene::open(const std::string& scenario_file, bool 
   ContextOptions options;
   options.validation = validation;
   scene->context_ = std::make_unique<Context>(Context::create(options).value());
+  if (!scene->context_->summary().is_cpu && scene->subject_.scenario.name != "regrouped") forbidContraction(scene->subject_);
   scene->commands_ = std::make_unique<Commands>(Commands::create(*scene->context_).value());
   scene->renderer_ = std::make_unique<SceneRenderer>(
       SceneRenderer::create(*scene->context_, *scene->commands_, scene->subject_.scenario, scene->subject_.program.interface).value());
