@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compiler/strategies/cache_layout.h"
+#include "compiler/strategies/pair_passes.h"
 #include "fitting/selection/pace.h"
 #include "fitting/solve/order_range.h"
 #include "fitting/solve/paired_ratio.h"
@@ -29,8 +30,10 @@ RunErrorModel describeModel(const ErrorFit& fit) {
 }
 
 // Two histories: this frame's and the last one's.
-double cacheBytes(const Candidate& candidate, const VariantOptions& options) {
-  return 2.0 * cacheLayout(candidate.channels, options.encoding, isInteger(candidate.scalar)).bytes_per_pixel;
+// Two images, which swap their roles, but for pairs.
+double cacheBytes(const Candidate& candidate, const VariantOptions& options, const std::string& strategy) {
+  const bool one_image = options.previous == PreviousImage::kOtherEye && storesOnceAPair(*findStrategy(strategy));
+  return (one_image ? 1.0 : 2.0) * cacheLayout(candidate.channels, options.encoding, isInteger(candidate.scalar)).bytes_per_pixel;
 }
 
 std::vector<double> clockTimes(const std::vector<TimedFrame>& frames, bool in_pairs) {
@@ -204,7 +207,7 @@ std::vector<RunCandidate> describeCandidates(const Subject& subject, const Train
         const Configuration& configuration = fitted.input.configurations[i];
         if (!entry.hit_rate_mu && isUsable(configuration.hit_rate.verdict)) entry.hit_rate_mu = configuration.hit_rate.mu.value;
         RunConfiguration one = describeConfiguration(configuration);
-        one.cache_bytes_per_pixel = cacheBytes(candidate, errors.options);
+        one.cache_bytes_per_pixel = cacheBytes(candidate, errors.options, one.strategy);
         addPoints(training, fitted, selection, i, metric, one);
         entry.configurations.push_back(std::move(one));
       }
@@ -312,7 +315,7 @@ void describeAccepted(const Subject& subject, const Training& training, const Fi
   choice.p95_ms = known(run.binding.variant_p95_ms);
   choice.worst_ms = known(run.binding.variant_worst_ms);
   choice.hit_rate = run.hit_rate;
-  choice.cache_bytes_per_pixel = cacheBytes(candidate, study.options);
+  choice.cache_bytes_per_pixel = cacheBytes(candidate, study.options, choice.strategy);
   result.limit = {known(run.limit_ms), candidate.id};
 }
 

@@ -8,6 +8,7 @@
 #include "compiler/ir/optimize.h"
 #include "compiler/source/validate.h"
 #include "compiler/strategies/frame_source.h"
+#include "compiler/strategies/pair_passes.h"
 #include "compiler/strategies/payload_bodies.h"
 #include "compiler/transforms/link_frame.h"
 #include "compiler/transforms/previous_position.h"
@@ -68,7 +69,8 @@ class RecipeBuilder {
  public:
   RecipeBuilder(const ShaderProgram& program, const Candidate& candidate, const VariantOptions& options, const Strategy& strategy)
       : program_(program), candidate_(candidate), options_(options), strategy_(strategy),
-        guards_(guardsOf(candidate)),
+        pairs_(options.previous == PreviousImage::kOtherEye && storesOnceAPair(strategy)),
+        plans_(pairs_ ? passesOfPairs(strategy) : strategy.passes), guards_(guardsOf(candidate)),
         layout_(cacheLayout(std::max(candidate.channels, 1), options.encoding, isInteger(candidate.scalar))),
         cache_location_(firstFreeOutput(program.interface)) {}
 
@@ -80,7 +82,7 @@ class RecipeBuilder {
     } else {
       REPRISE_TRY(addModule("vertex", "vertex", program_.vertex_words));
     }
-    for (const PassPlan& plan : strategy_.passes) REPRISE_TRY(addPass(plan));
+    for (const PassPlan& plan : plans_) REPRISE_TRY(addPass(plan));
     if (static_cast<std::size_t>(attachments_) > kMostColorTargets)
       return Error{ErrorKind::kRefused, "state.targets",
                    fmt::format("'{}' needs {} colour targets for this shader; devices have {}", strategy_.name, attachments_, kMostColorTargets), {}};
@@ -131,14 +133,15 @@ class RecipeBuilder {
   }
 
   bool keepsHistory() const {
-    return std::any_of(strategy_.passes.begin(), strategy_.passes.end(), [](const PassPlan& plan) { return plan.writes_cache; });
+    return std::any_of(plans_.begin(), plans_.end(), [](const PassPlan& plan) { return plan.writes_cache; });
   }
 
   void declareResources() {
     if (keepsHistory()) {
+      const Lifetime lifetime = pairs_ ? Lifetime::kPersistent : Lifetime::kHistory;
       for (std::size_t target = 0; target < targets(); ++target)
-        recipe().resources.push_back({payloadTarget(target), layout_.payload_formats[target], 1, Lifetime::kHistory, {0, 0, 0, 0}});
-      if (!layout_.depth_in_alpha) recipe().resources.push_back({kPayloadDepth, layout_.depth_format, 1, Lifetime::kHistory, {0, 0, 0, 0}});
+        recipe().resources.push_back({payloadTarget(target), layout_.payload_formats[target], 1, lifetime, {0, 0, 0, 0}});
+      if (!layout_.depth_in_alpha) recipe().resources.push_back({kPayloadDepth, layout_.depth_format, 1, lifetime, {0, 0, 0, 0}});
       if (options_.instrumented) {
         recipe().resources.push_back({"kind", ResourceFormat::kR8Unorm, 1, Lifetime::kFrame, {0, 0, 0, 0}});
         recipe().resources.push_back({"counts", ResourceFormat::kRgba32Sfloat, 1, Lifetime::kFrame, {0, 0, 0, 0}});
@@ -183,6 +186,7 @@ class RecipeBuilder {
             {"PREVIOUS_LOCATION", number(firstFreeVarying(program_.vertex, program_.fragment->module))},
             {"CACHE_LOCATION", "0"},
             {"COUNT_LOCATION", "0"},
+            {"STORES", "1"},
             {"TARGETS", number(targets())},
             {"LAST_CHANNELS", number(layout_.last_channels)},
             {"GUARDED", flag(!guards_.empty())},
@@ -253,7 +257,8 @@ class RecipeBuilder {
     Macros values = macros();
     const int cache_location = plan.app_targets ? cache_location_ : 0;
     values["CACHE_LOCATION"] = std::to_string(cache_location);
-    values["COUNT_LOCATION"] = std::to_string(cache_location + cacheTargets());
+    values["STORES"] = plan.writes_cache ? "1" : "0";
+    values["COUNT_LOCATION"] = std::to_string(cache_location + (plan.writes_cache ? cacheTargets() : 0));
     const Module frame = compileFrame(plan.frame, ShaderStage::kFragment, values);
     FrameBindings bindings;
     if (plan.bodies.hit) bindings.functions["reprise_hit"] = bodies.hit;
@@ -285,17 +290,17 @@ class RecipeBuilder {
       for (std::size_t i = 0; i < program_.interface.outputs.size(); ++i)
         pass.colors.push_back({static_cast<int>(i), "", LoadOp::kClear, BlendKind::kReplace,
                                static_cast<int>(program_.interface.outputs[i].location)});
+    int location = plan.app_targets ? cache_location_ : 0;
+    const auto add = [&](const std::string& resource, BlendKind blend) {
+      pass.colors.push_back({-1, resource, LoadOp::kClear, blend, location++});
+    };
     if (plan.writes_cache) {
-      int location = plan.app_targets ? cache_location_ : 0;
-      const auto add = [&](const std::string& resource, BlendKind blend) {
-        pass.colors.push_back({-1, resource, LoadOp::kClear, blend, location++});
-      };
       for (std::size_t target = 0; target < targets(); ++target) add(payloadTarget(target), BlendKind::kReplace);
       if (!layout_.depth_in_alpha) add(kPayloadDepth, BlendKind::kReplace);
-      if (options_.instrumented) {
-        add("kind", BlendKind::kReplace);
-        add("counts", BlendKind::kAdd);
-      }
+    }
+    if (plan.counts && keepsHistory() && options_.instrumented) {
+      add("kind", BlendKind::kReplace);
+      add("counts", BlendKind::kAdd);
     }
     int used = 0;
     for (const ColorAttachment& color : pass.colors) used = std::max(used, color.location + 1);
@@ -310,7 +315,7 @@ class RecipeBuilder {
     pass.depth_clear = plan.depth_clear;
     pass.depth = plan.depth;
     pass.stencil = plan.stencil;
-    pass.hits_only = plan.reads_history && plan.bodies.hit && !plan.bodies.miss;
+    pass.frames = plan.reads_history && plan.bodies.hit && !plan.bodies.miss ? PassFrames::kNotWhollyDue : plan.frames;
     REPRISE_TRY(chooseFragment(plan, pass));
     attach(plan, pass);
     const auto read = [&](const std::string& resource, Filter filter) {
@@ -329,6 +334,8 @@ class RecipeBuilder {
   const Candidate& candidate_;
   const VariantOptions& options_;
   const Strategy& strategy_;
+  bool pairs_ = false;
+  std::vector<PassPlan> plans_;
   std::vector<int> guards_;  // channels
   CacheLayout layout_;
   int cache_location_ = 1;

@@ -31,11 +31,13 @@ struct PassPlan {
   Bodies bodies;
   bool app_targets = true;     // the application's colour targets are attached
   bool writes_cache = true;    // this frame's history is attached
+  bool counts = true;          // of the counting copy: it tells hits from misses
   bool reads_history = false;  // last frame's history
   bool reads_current = false;  // this frame's, written by an earlier rendering
   bool depth_clear = true;
   DepthUse depth = DepthUse::kAsApp;
   StencilUse stencil = StencilUse::kNone;
+  PassFrames frames = PassFrames::kAll;
   bool only_if_discards = false;  // fragment code is needed only where the shader discards or writes depth: else depth only
 };
 

@@ -23,6 +23,7 @@ Strategy makeThreePassStrategy() {
   tail.frame = "shade_tail.frag";
   tail.bodies = {true, false, true};
   tail.writes_cache = false;
+  tail.counts = false;
   tail.reads_current = true;
   tail.depth_clear = false;
   tail.depth = DepthUse::kEqualNoWrite;

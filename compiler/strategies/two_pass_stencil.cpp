@@ -10,6 +10,7 @@ Strategy makeTwoPassStencilStrategy() {
   prepass.bodies = {false, true, false};
   prepass.app_targets = false;
   prepass.writes_cache = false;
+  prepass.counts = false;
   prepass.only_if_discards = true;
   PassPlan hits;
   hits.name = "hits";

@@ -81,26 +81,42 @@ Result<void> checkPass(const Package& package, const Recipe& recipe, const Pass&
   return checkColors(package, recipe, pass);
 }
 
-Result<void> checkPasses(const Package& package, const Recipe& recipe) {
-  if (recipe.passes.empty() || recipe.passes.size() > kMaxPasses) return inconsistent("a recipe needs 1 to 16 passes");
+bool begins(const Recipe& recipe, std::size_t pass) { return pass == 0 || recipe.passes[pass].rendering != recipe.passes[pass - 1].rendering; }
+
+// What a frame of one kind draws, and whether what it reads has been written by then.
+Result<void> checkFrameKind(const Recipe& recipe, bool wholly_due) {
   std::set<std::string> written, attached;
-  std::set<int> renderings;
+  bool draws = false;
   for (std::size_t i = 0; i < recipe.passes.size(); ++i) {
     const Pass& pass = recipe.passes[i];
-    REPRISE_TRY(checkPass(package, recipe, pass));
-    const bool begins = i == 0 || pass.rendering != recipe.passes[i - 1].rendering;
-    if (begins) {
-      if (!renderings.insert(pass.rendering).second) return inconsistent("the passes of a rendering are not consecutive");
+    if (begins(recipe, i)) {
       written.merge(attached);
       attached.clear();
-    } else if (pass.colors != recipe.passes[i - 1].colors) {
-      return inconsistent("passes of one rendering have different attachments");
     }
+    if (!drawsIn(pass, wholly_due)) continue;
+    draws = true;
     REPRISE_TRY(checkReads(recipe, pass, written));
     for (const ColorAttachment& color : pass.colors)
       if (!color.resource.empty()) attached.insert(color.resource);
   }
+  if (!draws) return inconsistent(std::string("no pass draws in frames that are ") + (wholly_due ? "wholly due" : "not wholly due"));
   return {};
+}
+
+Result<void> checkPasses(const Package& package, const Recipe& recipe) {
+  if (recipe.passes.empty() || recipe.passes.size() > kMaxPasses) return inconsistent("a recipe needs 1 to 16 passes");
+  std::set<int> renderings;
+  for (std::size_t i = 0; i < recipe.passes.size(); ++i) {
+    const Pass& pass = recipe.passes[i];
+    REPRISE_TRY(checkPass(package, recipe, pass));
+    if (begins(recipe, i)) {
+      if (!renderings.insert(pass.rendering).second) return inconsistent("the passes of a rendering are not consecutive");
+    } else if (pass.colors != recipe.passes[i - 1].colors) {
+      return inconsistent("passes of one rendering have different attachments");
+    }
+  }
+  REPRISE_TRY(checkFrameKind(recipe, true));
+  return checkFrameKind(recipe, false);
 }
 
 Result<void> checkPreviousInputs(const Recipe& recipe) {

@@ -111,7 +111,8 @@ int bytesPerPixel(ResourceFormat format);
 bool isUint(ResourceFormat format);  // read with nearest filters only
 
 // kFrame: content lives for one frame. kHistory: two images that swap roles every frame; attachments write this frame's,
-// reads see last frame's unless they say `current`. kPersistent: written rarely, kept (none yet).
+// reads see last frame's unless they say `current`. kPersistent: one image that keeps its content through frames that do not write it;
+// reads are meaningful in the frame after one that did.
 enum class Lifetime { kFrame, kHistory, kPersistent };
 
 struct Resource {
@@ -152,6 +153,9 @@ struct Read {
   bool operator==(const Read&) const = default;
 };
 
+// The frames in which a pass draws, told by isWhollyDue. A rendering none of whose passes draws is left out with its clears.
+enum class PassFrames { kAll, kWhollyDue, kNotWhollyDue };
+
 enum class PassKind { kDraw, kDispatch, kFullScreen };  // version 1 plays kDraw
 
 struct Pass {
@@ -165,9 +169,11 @@ struct Pass {
   DepthUse depth = DepthUse::kAsApp;
   StencilUse stencil = StencilUse::kNone;
   std::vector<Read> reads;
-  bool hits_only = false;       // draws no misses: left out, but for its clears, in frames that are wholly due
+  PassFrames frames = PassFrames::kAll;
   bool operator==(const Pass&) const = default;
 };
+
+bool drawsIn(const Pass& pass, bool wholly_due);
 
 struct ModuleEntry {
   std::string name;   // "fragment_hit"

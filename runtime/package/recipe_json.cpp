@@ -15,6 +15,8 @@ const EnumNames<BlendKind> kBlends = {{BlendKind::kReplace, "replace"}, {BlendKi
 const EnumNames<PassKind> kPasses = {
     {PassKind::kDraw, "draw"}, {PassKind::kDispatch, "dispatch"}, {PassKind::kFullScreen, "full_screen"}};
 const EnumNames<DepthUse> kDepths = {{DepthUse::kAsApp, "as_app"}, {DepthUse::kEqualNoWrite, "equal_no_write"}};
+const EnumNames<PassFrames> kFrames = {
+    {PassFrames::kAll, "all"}, {PassFrames::kWhollyDue, "wholly_due"}, {PassFrames::kNotWhollyDue, "not_wholly_due"}};
 const EnumNames<StencilUse> kStencils = {{StencilUse::kNone, "none"}, {StencilUse::kMarkIfZero, "mark_if_zero"}};
 const EnumNames<PreviousSource> kSources = {{PreviousSource::kUniformBlock, "uniform_block"},
                                             {PreviousSource::kPushConstants, "push_constants"}};
@@ -62,7 +64,7 @@ json toJson(const Pass& pass) {
           {"vertex_module", pass.vertex_module}, {"fragment_module", pass.fragment_module},
           {"colors", listJson(pass.colors, [](const ColorAttachment& color) { return toJson(color); })},
           {"depth_clear", pass.depth_clear}, {"depth", enumText(kDepths, pass.depth)},
-          {"stencil", enumText(kStencils, pass.stencil)}, {"hits_only", pass.hits_only},
+          {"stencil", enumText(kStencils, pass.stencil)}, {"frames", enumText(kFrames, pass.frames)},
           {"reads", listJson(pass.reads, [](const Read& read) { return toJson(read); })}};
 }
 
@@ -77,7 +79,7 @@ Pass passFrom(const json& from) {
   pass.depth_clear = boolAt(from, "depth_clear");
   pass.depth = enumAt(from, "depth", kDepths);
   pass.stencil = enumAt(from, "stencil", kStencils);
-  pass.hits_only = boolAt(from, "hits_only");
+  pass.frames = enumAt(from, "frames", kFrames);
   pass.reads = listAt<Read>(from, "reads", readFrom);
   return pass;
 }

@@ -54,6 +54,10 @@ bool isWhollyDue(const Refresh& refresh, std::uint32_t frame) {
   return refresh.pattern == PatternKind::kWhole && refresh.period_frames != kNeverRefresh && frame % refresh.period_frames == 0;
 }
 
+bool drawsIn(const Pass& pass, bool wholly_due) {
+  return pass.frames == PassFrames::kAll || wholly_due == (pass.frames == PassFrames::kWhollyDue);
+}
+
 DueBlocks dueBlocks(const Refresh& refresh, std::uint32_t frame, std::uint32_t width, std::uint32_t height) {
   if (refresh.period_frames == kNeverRefresh) return refresh.pattern == PatternKind::kTiled ? DueBlocks{{0, 0, 0, 0}} : DueBlocks{};
   REPRISE_CHECK(std::has_single_bit(refresh.period_frames), refresh.period_frames);

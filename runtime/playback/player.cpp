@@ -288,25 +288,30 @@ Result<void> Player::record(VkCommandBuffer commands, const FrameInputs& inputs,
   if (inputs.occlusion != VK_NULL_HANDLE) device.fn.vkCmdResetQueryPool(commands, inputs.occlusion, inputs.first_occlusion, pass_count);
 
   std::set<std::string> written;
+  bool first_rendering = true;
   RenderingParts parts{&inputs, &state.images, state.frame, state.application.depth_format, recipe.requirements.stencil, {}, false};
   for (std::uint32_t index = 0; index < pass_count; ++index) {
     const Pass& pass = recipe.passes[index];
-    const bool begins = index == 0 || recipe.passes[index - 1].rendering != pass.rendering;
-    const bool ends = index + 1 == pass_count || recipe.passes[index + 1].rendering != pass.rendering;
+    const bool rendered = std::any_of(recipe.passes.begin(), recipe.passes.end(), [&](const Pass& other) {
+      return other.rendering == pass.rendering && drawsIn(other, wholly_due);
+    });
+    const bool begins = rendered && (index == 0 || recipe.passes[index - 1].rendering != pass.rendering);
+    const bool ends = rendered && (index + 1 == pass_count || recipe.passes[index + 1].rendering != pass.rendering);
     if (begins) {
       // Reads of later passes of this rendering count too: nothing can be transitioned inside it.
       Pass all = pass;
       for (std::uint32_t other = index + 1; other < pass_count && recipe.passes[other].rendering == pass.rendering; ++other)
         all.reads.insert(all.reads.end(), recipe.passes[other].reads.begin(), recipe.passes[other].reads.end());
-      state.prepareImages(commands, all, index == 0, written);
+      state.prepareImages(commands, all, first_rendering, written);
+      first_rendering = false;
       beginRendering(device, commands, pass, parts);
     }
-    device.fn.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, state.pipelines.pipelines[index].get());
+    if (rendered) device.fn.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, state.pipelines.pipelines[index].get());
     if (inputs.occlusion != VK_NULL_HANDLE)
       device.fn.vkCmdBeginQuery(commands, inputs.occlusion, inputs.first_occlusion + index, VK_QUERY_CONTROL_PRECISE_BIT);
     RecordingPass context({&device, commands, state.pipelines.layout.get(), static_cast<int>(index), recipe.uses_reprise_set,
                            recipe.reprise_set, recipe.uses_reprise_set ? slot.sets[index] : VK_NULL_HANDLE, &state.offsets});
-    if (!(wholly_due && pass.hits_only)) draw(context);
+    if (drawsIn(pass, wholly_due)) draw(context);
     if (inputs.occlusion != VK_NULL_HANDLE) device.fn.vkCmdEndQuery(commands, inputs.occlusion, inputs.first_occlusion + index);
     if (ends) device.fn.vkCmdEndRendering(commands);
     if (inputs.timestamps != VK_NULL_HANDLE)
@@ -315,7 +320,9 @@ Result<void> Player::record(VkCommandBuffer commands, const FrameInputs& inputs,
   for (auto& [name, resource] : state.images)
     for (TrackedImage& image : resource.images) transition(device, commands, image, {});
   state.previous_viewport = inputs.viewport;
-  state.history_valid = true;
+  state.history_valid = std::all_of(recipe.resources.begin(), recipe.resources.end(), [&](const Resource& resource) {
+    return resource.lifetime == Lifetime::kFrame || written.count(resource.name) != 0;
+  });
   ++state.frame;
   return {};
 }

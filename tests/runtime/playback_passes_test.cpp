@@ -31,7 +31,7 @@ class Passes : public PlaybackStage {
 TEST_F(Passes, ForHitsAloneAreLeftOutOfFramesThatAreWhollyDue) {
   Package package = prepassPackage();
   package.variant.pattern = PatternKind::kWhole;
-  package.variant.passes[0].hits_only = true;
+  package.variant.passes[0].frames = PassFrames::kNotWhollyDue;
   Player player = makePlayer(package);
   for (int number = 0; number < 4; ++number) {
     FrameInputs frame = inputs(far_then_near_);

@@ -61,7 +61,7 @@ Read anyRead() { return {anyText(), anyCount(), oneOf({Filter::kNearest, Filter:
 Pass anyPass() {
   return {anyText(), oneOf({PassKind::kDraw, PassKind::kDispatch, PassKind::kFullScreen}), anyInt(), anyText(), anyText(),
           some<ColorAttachment>(anyColor), anyBool(), oneOf({DepthUse::kAsApp, DepthUse::kEqualNoWrite}),
-          oneOf({StencilUse::kNone, StencilUse::kMarkIfZero}), some<Read>(anyRead), anyBool()};
+          oneOf({StencilUse::kNone, StencilUse::kMarkIfZero}), some<Read>(anyRead), oneOf({PassFrames::kAll, PassFrames::kWhollyDue, PassFrames::kNotWhollyDue})};
 }
 
 PreviousInput anyPrevious() {

@@ -7,6 +7,8 @@
 // DEPTH_RANGE, PAYLOAD_SCALE, ...: struct CacheConstants of runtime/package/recipe.h.
 // PAYLOAD_VEC: vec4, or uvec4 for INTEGER payloads, which are kept bit by bit in an image of their own.
 // NARROW: the last target has one channel of payload and the depth beside it, in a two-channel format.
+// STORES: the pass writes a history; else what a store or a carried texel would write is not computed.
+#if STORES
 #if TARGETS > 1
 layout(location = CACHE_LOCATION) out PAYLOAD_VEC reprise_full_cache[TARGETS - 1];
 #endif
@@ -17,6 +19,7 @@ layout(location = CACHE_LOCATION + TARGETS - 1) out PAYLOAD_VEC reprise_cache;
 #endif
 #if !DEPTH_IN_ALPHA
 layout(location = CACHE_LOCATION + TARGETS) out float reprise_cache_depth;
+#endif
 #endif
 
 float repriseStoredDepth(float depth) { return depth * DEPTH_RANGE.x + DEPTH_RANGE.y; }
@@ -73,6 +76,7 @@ void repriseEncode(PAYLOAD_VEC payload[TARGETS], out PAYLOAD_VEC encoded[TARGETS
 #endif
 }
 
+#if STORES
 void repriseWrite(PAYLOAD_VEC encoded[TARGETS], float depth) {
 #if TARGETS > 1
   for (int target = 0; target < TARGETS - 1; ++target) reprise_full_cache[target] = encoded[target];
@@ -87,6 +91,9 @@ void repriseWrite(PAYLOAD_VEC encoded[TARGETS], float depth) {
   reprise_cache_depth = depth;
 #endif
 }
+#else
+void repriseWrite(PAYLOAD_VEC encoded[TARGETS], float depth) {}
+#endif
 
 // The depth to keep beside a payload: 0, "nothing valid here", where it lies outside the range that the format resolves.
 float repriseKeptDepth() {
