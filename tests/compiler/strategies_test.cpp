@@ -38,6 +38,27 @@ bool rightlyRefused(const Strategy& strategy, const ShaderProgram& program, cons
 
 class StrategyOn : public testing::TestWithParam<std::string> {};
 
+// Of pairs of eyes only the first is fetched from: the second writes no payload, and one image is enough.
+TEST(Pairs, StoreInFramesThatAreWhollyDueAlone) {
+  const SubjectOfStrategies subject = subjectOf(std::string(REPRISE_SOURCE_DIR) + "/shaders/marble/marble.frag");
+  for (const char* strategy : {"branch", "two_pass", "two_pass_stencil"}) {
+    SCOPED_TRACE(strategy);
+    VariantOptions options;
+    options.strategy = strategy;
+    options.pattern = PatternKind::kWhole;
+    options.previous = PreviousImage::kOtherEye;
+    options.period_frames = 2;
+    const Result<Package> package = buildPackage(subject.program, subject.first(), options, kAllows);
+    ASSERT_TRUE(package.ok()) << formatError(package.error());
+    for (const Resource& resource : package->variant.resources) EXPECT_EQ(resource.lifetime, Lifetime::kPersistent) << resource.name;
+    for (const Pass& pass : package->variant.passes) {
+      const bool stores = std::any_of(pass.colors.begin(), pass.colors.end(), [](const ColorAttachment& color) { return !color.resource.empty(); });
+      EXPECT_EQ(stores, pass.name == "store") << pass.name;
+      EXPECT_EQ(pass.frames, stores ? PassFrames::kWhollyDue : PassFrames::kNotWhollyDue) << pass.name;
+    }
+  }
+}
+
 TEST_P(StrategyOn, GivesValidModulesAndAConsistentPackage) {
   const SubjectOfStrategies subject = subjectOf(GetParam());
   for (const Strategy& strategy : strategies())

@@ -17,6 +17,9 @@ constexpr Encoding kEncodings[] = {Encoding::kRgba8, Encoding::kRgba16, Encoding
 constexpr std::uint32_t kPeriod = 4;
 constexpr int kFrames = 6;
 
+// Of pairs of eyes every second frame is stored.
+std::uint32_t periodOf(const VariantOptions& options) { return options.previous == PreviousImage::kOtherEye ? 2 : kPeriod; }
+
 // What an encoding may cost in the final colour: half a step of the format over the range of the payload (2.6 with margins for
 // rgba8; values below 2 for rgba16f), times the shaders' gain from payload to colour, plus the step of an 8-bit target.
 double toleranceOf(Encoding encoding) {
@@ -105,7 +108,7 @@ class Laws : public testing::TestWithParam<std::string> {
     std::vector<PlayedFrame> frames;
     std::size_t hits = 0;
     for (int frame = 0; frame < kFrames; ++frame) {
-      frames.push_back(scene_->play(*player, frame, kPeriod));
+      frames.push_back(scene_->play(*player, frame, periodOf(options)));
       const PlayedFrame& played = frames.back();
       const PlayedFrame& original = originals[static_cast<std::size_t>(frame)];
       const float clear_depth = scene_->subject().scenario.state.compare == DepthCompare::kGreater ? 0.0f : 1.0f;
@@ -135,17 +138,18 @@ class Laws : public testing::TestWithParam<std::string> {
   void checkFrozenWorld(const VariantOptions& options, const std::vector<PlayedFrame>& frozen) {
     const auto player = scene_->player(options);
     const Scenario& scenario = scene_->subject().scenario;
+    const std::uint32_t period = periodOf(options);
     // Where hits are decided per quad, a fragment that is hidden behind a depth edge makes its quad miss with it: exact, but
     // no hit. Such misses must stay few.
     const bool by_quad = scene_->subject().program.analysis.takes_derivatives;
     std::size_t expected_hits = 0, hits = 0;
     for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
-      const PlayedFrame played = scene_->play(*player, 0, kPeriod, true);
+      const PlayedFrame played = scene_->play(*player, 0, period, true);
       for (std::uint32_t y = 0; y < scenario.height; ++y)
         for (std::uint32_t x = 0; x < scenario.width; ++x) {
           const std::size_t pixel = static_cast<std::size_t>(y) * scenario.width + x;
           if (played.kind[pixel] == 0) continue;
-          const bool due = refreshGroup(options.pattern, x, y, kPeriod, options.block_pixels, scenario.width, scenario.height) == frame % kPeriod;
+          const bool due = refreshGroup(options.pattern, x, y, period, options.block_pixels, scenario.width, scenario.height) == frame % period;
           const int expected = frame == 0 || due ? 2 : 1;
           expected_hits += expected == 1;
           hits += played.kind[pixel] == 1;
@@ -201,6 +205,40 @@ TEST_P(Laws, HoldForEveryStrategyPatternFilterAndEncoding) {
           }
         }
       }
+}
+
+TEST_P(Laws, HoldForPairsOfEyes) {
+  const std::vector<PlayedFrame> moving = originals(false), frozen = originals(true);
+  for (const Strategy& strategy : strategies()) {
+    if (!allowed(strategy)) continue;
+    SCOPED_TRACE(strategy.name + " " + scene_->candidate().id);
+    VariantOptions options = lawOptions(*scene_, strategy.name, PatternKind::kWhole, filters().front(), Encoding::kRgba32f);
+    options.previous = PreviousImage::kOtherEye;
+    options.period_frames = 2;
+    checkAlwaysRefresh(options, strategy.keeps_raw_payload, moving);
+    if (HasFatalFailure()) return;
+    checkMovingWorld(options, strategy.keeps_raw_payload, moving);
+    if (HasFatalFailure() || HasNonfatalFailure()) return;
+    checkFrozenWorld(options, frozen);
+    if (HasFatalFailure()) return;
+  }
+}
+
+// Only a frame that follows a stored one has a history.
+TEST(PairsOfEyes, PlayedAtAnotherPeriodHitAfterStoredFramesAlone) {
+  const auto scene = LawScene::open(std::string(REPRISE_SOURCE_DIR) + "/shaders/laws/straight_line/straight_line.toml");
+  for (const char* strategy : {"branch", "two_pass"}) {
+    VariantOptions options = lawOptions(*scene, strategy, PatternKind::kWhole, Filter::kNearest, Encoding::kRgba32f);
+    options.previous = PreviousImage::kOtherEye;
+    options.period_frames = 2;
+    const auto player = scene->player(options);
+    for (int frame = 0; frame < 8; ++frame) {
+      const PlayedFrame played = scene->play(*player, 0, 4, true);
+      const auto hits = std::count(played.kind.begin(), played.kind.end(), 1), misses = std::count(played.kind.begin(), played.kind.end(), 2);
+      EXPECT_EQ(hits > 0, frame % 4 == 1) << strategy << " frame " << frame;
+      EXPECT_GT(hits + misses, 0) << strategy << " frame " << frame;
+    }
+  }
 }
 
 TEST_P(Laws, InvalidateMakesTheNextFrameAllMisses) {
@@ -260,6 +298,11 @@ TEST(Validation, IsSilentForEveryStrategyAndNoticesAMissingBarrier) {
     if (!strategy.selectable || (strategy.needs_stencil && !scene->subject().limits.stencil)) continue;
     const auto player = scene->player(lawOptions(*scene, strategy.name, PatternKind::kTiled, Filter::kBilinear, Encoding::kRgba8));
     for (int frame = 0; frame < 3; ++frame) scene->play(*player, frame, 2);
+    VariantOptions pairs = lawOptions(*scene, strategy.name, PatternKind::kWhole, Filter::kBilinear, Encoding::kRgba8);
+    pairs.previous = PreviousImage::kOtherEye;
+    pairs.period_frames = 2;
+    const auto eyes = scene->player(pairs);
+    for (int frame = 0; frame < 4; ++frame) scene->play(*eyes, frame, 2);
   }
   std::string said;
   for (const std::string& message : scene->context().validation_messages()) said += message + "\n";

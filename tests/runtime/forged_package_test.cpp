@@ -142,6 +142,10 @@ const Contradiction kContradictions[] = {
        recipe.pattern = PatternKind::kWhole;
        recipe.period_frames = 4;
      }},
+    {"frames without a pass",
+     [](Recipe& recipe) {
+       for (Pass& pass : recipe.passes) pass.frames = PassFrames::kWhollyDue;
+     }},
     {"block of one", [](Recipe& recipe) { recipe.block_pixels = 1; }},
     {"set out of range", [](Recipe& recipe) { recipe.reprise_set = 4000000000u; }},
     {"scale of zero", [](Recipe& recipe) { recipe.resources[0].scale = 0; }},
