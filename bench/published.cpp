@@ -78,8 +78,9 @@ std::string rowText(const Line& line) {
                        line.published.published, line.published.asked ? fmt::format("{}", *line.published.asked) : "-", named, secondsOf(line.run));
   const std::string period = choice.period_frames == 0 ? "never" : std::to_string(choice.period_frames);
   const auto limit = limitSpeedup(line.run);
-  return fmt::format("| {} | {} | {}, {} {}, {}, {} | {} | {} [{}, {}] | {} | {} | {} ({}) | {} | {} | {} | {:.0f} |", line.published.name, payloadOf(choice),
-                     choice.strategy, choice.pattern, choice.block_pixels, choice.filter, choice.encoding, period, orDash(choice.measured_speedup, "{:.2f}"),
+  const std::string pattern = choice.block_pixels == 0 ? choice.pattern : fmt::format("{} {}", choice.pattern, choice.block_pixels);
+  return fmt::format("| {} | {} | {}, {}, {}, {} | {} | {} [{}, {}] | {} | {} | {} ({}) | {} | {} | {} | {:.0f} |", line.published.name, payloadOf(choice),
+                     choice.strategy, pattern, choice.filter, choice.encoding, period, orDash(choice.measured_speedup, "{:.2f}"),
                      orDash(choice.speedup_ci95 ? std::optional(choice.speedup_ci95->lo) : std::nullopt, "{:.2f}"),
                      orDash(choice.speedup_ci95 ? std::optional(choice.speedup_ci95->hi) : std::nullopt, "{:.2f}"), orDash(choice.measured_error, "{:.4f}"),
                      orDash(choice.hit_rate, "{:.3f}"), orDash(limit, "{:.1f}"), percentOrDash(ratioOf(choice.measured_speedup, limit)),
