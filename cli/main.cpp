@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <vulkan/vulkan_core.h>
 
 #include "cli/check/run_modules.h"
 #include "cli/choice.h"
@@ -22,7 +21,6 @@
 #include "cli/report/text.h"
 #include "cli/report_directory.h"
 #include "cli/version.h"
-#include "compiler/source/versions.h"
 #include "profiler/session/job.h"
 
 namespace reprise {
@@ -292,14 +290,6 @@ std::vector<std::string> spelledForParser(int argc, char** argv) {
     words.push_back(glslc ? "-" + word : word);
   }
   return words;
-}
-
-std::string versionText() {
-  const auto vulkan = VK_HEADER_VERSION_COMPLETE;
-  return std::string("reprise ") + kToolVersion + "\nglslang " + glslangVersion() + "\nSPIRV-Tools " + spirvToolsVersion() + "\nVulkan headers " +
-         std::to_string(VK_API_VERSION_MAJOR(vulkan)) + "." + std::to_string(VK_API_VERSION_MINOR(vulkan)) + "." +
-         std::to_string(VK_API_VERSION_PATCH(vulkan)) + "\npackage format " + std::to_string(kRecipeFormatVersion) + ", choice format " +
-         std::to_string(kChoiceFormatVersion);
 }
 
 int run(int argc, char** argv) {

@@ -1,8 +1,11 @@
 #include "cli/write_changed.h"
 
+#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <charconv>
 #include <set>
 #include <string>
 #include <vector>
@@ -16,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kManifest = "manifest.json";
+constexpr std::string_view kAside = ".new-";  // and the number of the process
 
 // Removed at the end of its life with all that is in it.
 class AsideFolder {
@@ -32,6 +36,21 @@ class AsideFolder {
  private:
   fs::path path_;
 };
+
+// Folders that processes left aside which were killed on the way.
+void removeAbandoned(const fs::path& directory) {
+  std::error_code status;
+  std::vector<fs::path> abandoned;
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory, status)) {
+    const std::string name = entry.path().filename().string();
+    pid_t process = 0;
+    if (!name.starts_with(kAside)) continue;
+    const auto [end, failure] = std::from_chars(name.data() + kAside.size(), name.data() + name.size(), process);
+    if (failure != std::errc() || end != name.data() + name.size() || process <= 0) continue;
+    if (::kill(process, 0) != 0 && errno == ESRCH) abandoned.push_back(entry.path());
+  }
+  for (const fs::path& folder : abandoned) fs::remove_all(folder, status);
+}
 
 bool sameBytes(const fs::path& file, std::string_view bytes) {
   std::error_code status;
@@ -65,7 +84,8 @@ Result<bool> writePackageIfChanged(const Package& package, const fs::path& direc
   if (fs::exists(directory / kManifest, status))
     if (const Result<Package> old = readPackage(directory); old.ok())
       for (const auto& [name, words] : old->modules) outdated.insert(name);
-  const AsideFolder aside(directory / (".new-" + std::to_string(::getpid())));
+  removeAbandoned(directory);
+  const AsideFolder aside(directory / (std::string(kAside) + std::to_string(::getpid())));
   REPRISE_TRY(writePackage(package, aside.path()));
   bool changed = false;
   for (const fs::path& file : filesIn(aside.path())) {

@@ -2,6 +2,7 @@
 
 #include <glslang/Public/ShaderLang.h>
 #include <spirv-tools/libspirv.h>
+#include <spirv_cross/spirv_cross_c.h>
 
 namespace reprise {
 
@@ -11,5 +12,9 @@ std::string glslangVersion() {
 }
 
 std::string spirvToolsVersion() { return spvSoftwareVersionString(); }
+
+std::string spirvCrossVersion() {
+  return std::to_string(SPVC_C_API_VERSION_MAJOR) + "." + std::to_string(SPVC_C_API_VERSION_MINOR) + "." + std::to_string(SPVC_C_API_VERSION_PATCH);
+}
 
 }  // namespace reprise

@@ -10,6 +10,7 @@ namespace reprise {
 namespace {
 
 constexpr double kNormal975 = 1.959964;
+constexpr double kRounding = 1e-9;  // 100 * (1 - 0.9) / 2 is 5
 
 OrderRange withoutEnds(std::vector<double>& values, std::size_t left_out) {
   std::sort(values.begin(), values.end());
@@ -27,7 +28,7 @@ OrderRange medianInterval(std::vector<double> values) {
 
 OrderRange middleRange(std::vector<double> values, double share) {
   REPRISE_CHECK(!values.empty() && share > 0 && share <= 1, "a share of some values");
-  return withoutEnds(values, static_cast<std::size_t>(static_cast<double>(values.size()) * (1 - share) / 2));
+  return withoutEnds(values, static_cast<std::size_t>(static_cast<double>(values.size()) * (1 - share) / 2 + kRounding));
 }
 
 }  // namespace reprise

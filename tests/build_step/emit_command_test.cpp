@@ -1,5 +1,6 @@
 // `reprise emit` on the committed choices of examples/cmake_project: the same bytes anywhere, no device, and what it says of bad input.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <map>
@@ -145,6 +146,18 @@ TEST_F(Emit, SaysThatItCannotWrite) {
   const CommandOutcome outcome =
       runCommand({REPRISE_EXECUTABLE, "emit", shaders() / "granite.toml", "--choice", choice(), "-o", "/proc/reprise"});
   expectRefused(outcome, 3, "file.unwritable");
+}
+
+TEST_F(Emit, SweepsAwayWhatKilledProcessesLeftAside) {
+  const fs::path dead = output() / ".new-2147483647", living = output() / (".new-" + std::to_string(::getpid())), other = output() / ".new-thing";
+  for (const fs::path& folder : {dead, living, other}) {
+    fs::create_directories(folder);
+    writeText(folder / "manifest.json", "half");
+  }
+  const CommandOutcome outcome = emit();
+  EXPECT_EQ(outcome.status, 0) << outcome.all();
+  EXPECT_FALSE(fs::exists(dead));
+  EXPECT_TRUE(fs::exists(living) && fs::exists(other)) << "of a process that may still be writing, and of somebody else";
 }
 
 // A run's own package and the one made of its choice, whatever was chosen.

@@ -56,6 +56,12 @@ TEST(Manual, NamesEveryCommandAndOption) {
   }
 }
 
+TEST(Version, NamesWhatTheToolStandsOn) {
+  const std::string text = runCommand({REPRISE_EXECUTABLE, "--version"}).output;
+  for (const char* line : {"reprise", "glslang", "SPIRV-Tools v", "SPIRV-Cross C API", "Ceres", "SQLite", "Vulkan headers", "package format"})
+    EXPECT_TRUE(std::regex_search(text, std::regex("(^|\n)" + std::string(line) + " ?[0-9]+"))) << line << "\n" << text;
+}
+
 TEST(Completion, OffersTheOptionsOfEveryCommand) {
   for (const char* file : {"reprise.bash", "_reprise"}) {
     const std::string text = textOf(fs::path(REPRISE_SOURCE_DIR) / "cli/completion" / file);
