@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/probe_ranges.h"
+#include "bench/timed_variants.h"
 #include "cli/fit.h"
 #include "cli/subject.h"
 #include "cli/train.h"
@@ -44,13 +45,6 @@ struct Row {
   double error = std::nan("");
 };
 
-struct Timed {
-  std::string strategy, variant;
-  VariantOptions options;
-  StoredVariant stored;
-  std::vector<double> clock_ms;
-};
-
 struct Bench {
   std::string worker_path, device;
   bool cpu_clock = true;
@@ -59,13 +53,6 @@ struct Bench {
   std::vector<int> widths = {640, 1280};
   bool all = false;
 };
-
-Result<JobResult> runHere(const Bench& bench, Job& job) {
-  job.device = bench.device;
-  SupervisorOptions options;
-  options.worker_path = bench.worker_path;
-  return superviseJob(job, options, {});
-}
 
 // The marble with other octaves, size and depth format, written beside the variants.
 Result<Subject> marbleWith(int octaves, const std::uint32_t (&size)[2], bool stencil, const Workspace& workspace) {
@@ -78,20 +65,8 @@ Result<Subject> marbleWith(int octaves, const std::uint32_t (&size)[2], bool ste
   return readSubject(workspace.scenarioFile());
 }
 
-// The payload that sticks to the surface: no uniform among its inputs.
-std::size_t surfacePayload(const Subject& subject) {
-  for (std::size_t i = 0; i < subject.candidates.size(); ++i) {
-    const Candidate& candidate = subject.candidates[i];
-    const bool moves = std::any_of(candidate.inputs.begin(), candidate.inputs.end(), [&](int input) {
-      return subject.program.analysis.inputs[static_cast<std::size_t>(input)].kind == InputKind::kUniform;
-    });
-    if (candidate.kept() && !moves) return i;
-  }
-  return 0;
-}
-
-Result<std::vector<Timed>> variantsOf(const Subject& subject, const Workspace& workspace, std::size_t candidate, const ValueRanges& ranges, bool stencil) {
-  std::vector<Timed> timed;
+Result<std::vector<TimedVariant>> variantsOf(const Subject& subject, const Workspace& workspace, std::size_t candidate, const ValueRanges& ranges, bool stencil) {
+  std::vector<TimedVariant> timed;
   const auto add = [&](const std::string& strategy, const VariantOptions& base) -> Result<void> {
     VariantOptions options = base;
     options.strategy = strategy;
@@ -119,21 +94,7 @@ Result<std::vector<Timed>> variantsOf(const Subject& subject, const Workspace& w
   return timed;
 }
 
-Result<void> timeAll(const Bench& bench, const Workspace& workspace, std::vector<Timed>& timed) {
-  Job job;
-  job.kind = JobKind::kTimes;
-  job.scenario_path = workspace.scenarioFile().string();
-  job.session = kSession;
-  job.original_dir = timed[0].stored.dir;
-  job.rounds = bench.rounds;
-  for (const Timed& one : timed) job.entries.push_back({one.stored.dir, kPeriod});
-  REPRISE_ASSIGN(const JobResult result, runHere(bench, job));
-  for (std::size_t i = 0; i < timed.size(); ++i)
-    for (const TimeRow& row : result.times[i]) timed[i].clock_ms.push_back(bench.cpu_clock ? row.cpu_ms : row.gpu_ms);
-  return {};
-}
-
-Result<double> errorOf(const Bench& bench, const Subject& subject, const Workspace& workspace, std::size_t candidate, const Timed& variant) {
+Result<double> errorOf(const Bench& bench, const Subject& subject, const Workspace& workspace, std::size_t candidate, const TimedVariant& variant) {
   VariantOptions options = variant.options;
   options.instrumented = true;
   REPRISE_ASSIGN(const StoredVariant stored, storeVariant(workspace, subject.program, subject.candidates[candidate], options, subject.limits));
@@ -144,7 +105,8 @@ Result<double> errorOf(const Bench& bench, const Subject& subject, const Workspa
   job.original_dir = variant.stored.dir;
   job.entries = {{stored.dir, kPeriod}};
   job.frames = kErrorFrames;
-  REPRISE_ASSIGN(const JobResult result, runHere(bench, job));
+  job.device = bench.device;
+  REPRISE_ASSIGN(const JobResult result, superviseJob(job, {bench.worker_path, 60, {}}, {}));
   return sessionError("rms", {&result.errors[0]}, kPeriod).value_or(std::nan(""));
 }
 
@@ -153,18 +115,18 @@ Result<std::vector<Row>> measure(const Bench& bench, int octaves, const std::uin
   REPRISE_ASSIGN(const Subject subject, marbleWith(octaves, size, stencil, workspace));
   const std::size_t candidate = surfacePayload(subject);
   REPRISE_ASSIGN(const ValueRanges ranges, probeRanges(subject, workspace, candidate, {kSession, bench.device, bench.worker_path}));
-  REPRISE_ASSIGN(std::vector<Timed> timed, variantsOf(subject, workspace, candidate, ranges, stencil));
-  REPRISE_TRY(timeAll(bench, workspace, timed));
+  REPRISE_ASSIGN(std::vector<TimedVariant> timed, variantsOf(subject, workspace, candidate, ranges, stencil));
+  REPRISE_TRY(timeVariants({bench.worker_path, bench.device, kSession, kPeriod, bench.rounds}, workspace, timed));
   const std::size_t reference = medianOf(timed[1].clock_ms) < medianOf(timed[0].clock_ms) ? 1 : 0;
   std::vector<Row> rows;
-  const auto rowOf = [&](const Timed& one) {
+  const auto rowOf = [&](const TimedVariant& one) {
     return Row{one.strategy, one.variant, medianOf(one.clock_ms), pairedRatio(timed[reference].clock_ms, one.clock_ms), std::nan("")};
   };
   for (std::size_t i = 0; i < 3; ++i) rows.push_back(rowOf(timed[i]));
   for (Row& row : rows) row.variant = stencil ? "with stencil" : "";
   for (const Strategy& strategy : strategies()) {
-    const Timed* best = nullptr;
-    for (const Timed& one : timed) {
+    const TimedVariant* best = nullptr;
+    for (const TimedVariant& one : timed) {
       if (one.strategy != strategy.name || !strategy.selectable) continue;
       if (bench.all) rows.push_back(rowOf(one));
       if (best == nullptr || medianOf(one.clock_ms) < medianOf(best->clock_ms)) best = &one;

@@ -5,6 +5,7 @@
 #include "cli/standard_shaders.h"
 #include "compiler/source/compile.h"
 #include "profiler/scenario/read_scenario.h"
+#include "profiler/scene/shared_inputs.h"
 #include "runtime/base/file.h"
 #include "runtime/base/hash.h"
 
@@ -93,6 +94,7 @@ Result<Subject> readSubjectUnranked(const std::filesystem::path& scenario_file) 
   subject.limits.strict_depth_with_writes =
       scenario.state.compare == DepthCompare::kLess || scenario.state.compare == DepthCompare::kGreater;
   subject.limits.stencil = scenario.state.depth_stencil;
+  subject.limits.shared_inputs = drawsShareInputs(scenario, subject.program.interface);
   subject.orthographic = scenario.sessions.front().camera.orthographic;
   for (const SessionSpec& session : scenario.sessions)
     if (session.camera.orthographic != subject.orthographic)

@@ -137,7 +137,7 @@ class ModuleCheck {
     originals_.clear();
     VariantOptions original;
     original.strategy = "original";
-    REPRISE_ASSIGN(const Package package, buildPackage(subject_.program, subject_.candidates.front(), original, {true, true}));
+    REPRISE_ASSIGN(const Package package, buildPackage(subject_.program, subject_.candidates.front(), original, {true, true, true}));
     REPRISE_ASSIGN(Player player, harness_->createPlayer(package, true));
     for (int frame = 0; frame < kFrames; ++frame) {
       REPRISE_ASSIGN(HarnessFrame played, harness_->play(player, {frame, 1}));
@@ -207,7 +207,7 @@ class ModuleCheck {
   }
 
   Result<Player> variantPlayer(const Candidate& candidate, const VariantOptions& options) {
-    REPRISE_ASSIGN(const Package package, buildPackage(subject_.program, candidate, options, {true, true}));
+    REPRISE_ASSIGN(const Package package, buildPackage(subject_.program, candidate, options, {true, true, true}));
     REPRISE_ASSIGN(Player player, harness_->createPlayer(package, false));
     if (!player.originalReason().empty()) return Error{ErrorKind::kRefused, "device.requirement", player.originalReason(), {}};
     return player;

@@ -22,7 +22,7 @@ class OriginalPlayer {
     REPRISE_ASSIGN(Harness harness, Harness::create(context_, commands_, program.interface, options));
     VariantOptions original;
     original.strategy = "original";
-    REPRISE_ASSIGN(const Package package, buildPackage(program, {}, original, {true, true}));
+    REPRISE_ASSIGN(const Package package, buildPackage(program, {}, original, {true, true, true}));
     REPRISE_ASSIGN(Player player, harness.createPlayer(package, true));
     std::vector<HarnessFrame> frames;
     for (int frame = 0; frame < kFrames; ++frame) {

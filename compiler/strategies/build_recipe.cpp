@@ -8,8 +8,10 @@
 #include "compiler/ir/optimize.h"
 #include "compiler/source/validate.h"
 #include "compiler/strategies/frame_source.h"
+#include "compiler/strategies/kept_inputs.h"
 #include "compiler/strategies/pair_passes.h"
 #include "compiler/strategies/payload_bodies.h"
+#include "compiler/strategies/refuse_variant.h"
 #include "compiler/transforms/link_frame.h"
 #include "compiler/transforms/previous_position.h"
 #include "runtime/base/file.h"
@@ -19,6 +21,7 @@ namespace reprise {
 namespace {
 
 constexpr std::uint32_t kHistoryBinding = 2;
+constexpr int kCountTargets = 2;
 
 std::uint32_t firstFreeSet(const ShaderInterface& interface) {
   std::uint32_t free = 0;
@@ -36,19 +39,6 @@ int firstFreeOutput(const ShaderInterface& interface) {
 std::string vec4Text(const float* values) {
   return fmt::format("vec4({:#.9g}, {:#.9g}, {:#.9g}, {:#.9g})", values[0], values[1], values[2], values[3]);
 }
-
-bool isEarlyTests(const Instruction& mode) {
-  return mode.opcode == spv::Op::OpExecutionMode &&
-         static_cast<spv::ExecutionMode>(mode.word(1)) == spv::ExecutionMode::EarlyFragmentTests;
-}
-
-bool testsEarly(const ShaderProgram& program) {
-  const std::vector<Instruction>& modes = program.fragment->module.execution_modes;
-  return std::any_of(modes.begin(), modes.end(), isEarlyTests);
-}
-
-// Whether not all fragments are drawn at the depth of their triangle.
-bool decidesDepth(const ShaderProgram& program) { return program.analysis.discards || program.interface.writes_depth; }
 
 // A GLSL array with a vec4 for each target.
 std::string targetsText(const ChannelFloats& values, std::size_t targets) {
@@ -76,6 +66,10 @@ class RecipeBuilder {
 
   Result<BuiltRecipe> build() {
     describeVariant();
+    if (repairs(strategy_)) {
+      REPRISE_ASSIGN(kept_, keptInputs(program_.fragment->module, options_.orthographic));
+      kept_formats_ = keptFormats(kept_);
+    }
     declareResources();
     if (strategy_.caches) {
       REPRISE_TRY(buildVertex());
@@ -107,6 +101,7 @@ class RecipeBuilder {
     recipe().requirements.depth_less_or_greater = strategy_.rejects_by_depth;
     recipe().requirements.stencil = strategy_.needs_stencil;
     recipe().requirements.independent_blend = options_.instrumented && strategy_.caches;
+    recipe().flags_tiles = recipe().requirements.fragment_stores = recipe().requirements.shared_inputs = repairs(strategy_);
     if (!strategy_.caches) return;
     recipe().requirements.linear_filter = options_.filter == Filter::kBilinear;
     recipe().constants = encodingConstants(layout_, options_.encoding, options_.filter, options_.ranges, guards_);
@@ -147,6 +142,8 @@ class RecipeBuilder {
         recipe().resources.push_back({"counts", ResourceFormat::kRgba32Sfloat, 1, Lifetime::kFrame, {0, 0, 0, 0}});
       }
     }
+    for (std::size_t target = 0; target < kept_formats_.size(); ++target)
+      recipe().resources.push_back({keptTarget(target), kept_formats_[target], 1, Lifetime::kFrame, {0, 0, 0, 0}});
   }
 
   std::size_t targets() const { return layout_.payload_formats.size(); }
@@ -186,6 +183,10 @@ class RecipeBuilder {
             {"PREVIOUS_LOCATION", number(firstFreeVarying(program_.vertex, program_.fragment->module))},
             {"CACHE_LOCATION", "0"},
             {"COUNT_LOCATION", "0"},
+            {"KEPT_LOCATION", "0"},
+            {"TILE_PIXELS", number(kTilePixels)},
+            {"TILE_FLAGS_BINDING", number(kTileFlagsBinding)},
+            {"FRAG_COORD", "gl_FragCoord"},
             {"STORES", "1"},
             {"TARGETS", number(targets())},
             {"LAST_CHANNELS", number(layout_.last_channels)},
@@ -254,19 +255,32 @@ class RecipeBuilder {
     // A pass that discards what another draws must not have written its depth by then. The shader itself does not mind: it
     // neither discards nor writes depth.
     if (strategy_.passes.size() > 1) std::erase_if(bodies.module.execution_modes, isEarlyTests);
-    Macros values = macros();
-    const int cache_location = plan.app_targets ? cache_location_ : 0;
-    values["CACHE_LOCATION"] = std::to_string(cache_location);
-    values["STORES"] = plan.writes_cache ? "1" : "0";
-    values["COUNT_LOCATION"] = std::to_string(cache_location + (plan.writes_cache ? cacheTargets() : 0));
-    const Module frame = compileFrame(plan.frame, ShaderStage::kFragment, values);
+    const Module frame = compileFrame(plan.frame, ShaderStage::kFragment, macrosOf(plan));
     FrameBindings bindings;
     if (plan.bodies.hit) bindings.functions["reprise_hit"] = bodies.hit;
     if (plan.bodies.miss) bindings.functions["reprise_miss"] = bodies.miss;
     if (wanted.wants) bindings.functions["reprise_wants"] = bodies.wants;
     bindings.variables = {{"reprise_payload", bodies.payload_variable}};
     if (wanted.wants) bindings.variables["reprise_wanted"] = bodies.wanted_variable;
+    if (plan.keeps_inputs) bindGivenInputs(kept_, bodies.module, bindings);
+    if (plan.kind == PassKind::kTiles) bindTakenInputs(kept_, bodies.module, bindings);
     return addRewritten(name, "fragment", linkFrame(bodies.module, frame, bindings));
+  }
+
+  // Outputs in order: the application's, the history's, the counts, what is kept.
+  Macros macrosOf(const PassPlan& plan) const {
+    Macros values = macros();
+    int location = plan.app_targets ? cache_location_ : 0;
+    values["CACHE_LOCATION"] = std::to_string(location);
+    values["STORES"] = plan.writes_cache ? "1" : "0";
+    if (plan.writes_cache) location += cacheTargets();
+    values["COUNT_LOCATION"] = std::to_string(location);
+    if (plan.counts && options_.instrumented) location += kCountTargets;
+    values["KEPT_LOCATION"] = std::to_string(location);
+    if (plan.kind == PassKind::kTiles) values["FRAG_COORD"] = "reprise_frag_coord";
+    if (repairs(strategy_))
+      for (const auto& [macro, text] : keptMacros(kept_)) values[macro] = text;
+    return values;
   }
 
   Result<void> chooseFragment(const PassPlan& plan, Pass& pass) {
@@ -291,9 +305,9 @@ class RecipeBuilder {
         pass.colors.push_back({static_cast<int>(i), "", LoadOp::kClear, BlendKind::kReplace,
                                static_cast<int>(program_.interface.outputs[i].location)});
     int location = plan.app_targets ? cache_location_ : 0;
-    const auto add = [&](const std::string& resource, BlendKind blend) {
-      pass.colors.push_back({-1, resource, LoadOp::kClear, blend, location++});
-    };
+    // Tiles are drawn over what an earlier rendering has written.
+    LoadOp load = plan.kind == PassKind::kTiles ? LoadOp::kLoad : LoadOp::kClear;
+    const auto add = [&](const std::string& resource, BlendKind blend) { pass.colors.push_back({-1, resource, load, blend, location++}); };
     if (plan.writes_cache) {
       for (std::size_t target = 0; target < targets(); ++target) add(payloadTarget(target), BlendKind::kReplace);
       if (!layout_.depth_in_alpha) add(kPayloadDepth, BlendKind::kReplace);
@@ -302,6 +316,12 @@ class RecipeBuilder {
       add("kind", BlendKind::kReplace);
       add("counts", BlendKind::kAdd);
     }
+    // What is kept of a pixel without a miss does not matter, but for the word that says so.
+    if (plan.keeps_inputs)
+      for (std::size_t target = 0; target < kept_formats_.size(); ++target) {
+        load = target == 0 ? LoadOp::kClear : LoadOp::kDontCare;
+        add(keptTarget(target), BlendKind::kReplace);
+      }
     int used = 0;
     for (const ColorAttachment& color : pass.colors) used = std::max(used, color.location + 1);
     attachments_ = std::max(attachments_, used);
@@ -311,11 +331,18 @@ class RecipeBuilder {
     Pass pass;
     pass.name = plan.name;
     pass.rendering = plan.rendering;
+    pass.kind = plan.kind;
     pass.vertex_module = "vertex";
+    if (plan.kind == PassKind::kTiles) {
+      pass.vertex_module = "vertex_tiles";
+      REPRISE_TRY(addRewritten("vertex_tiles", "vertex", compileFrame("tiles.vert", ShaderStage::kVertex, macros())));
+    }
     pass.depth_clear = plan.depth_clear;
     pass.depth = plan.depth;
     pass.stencil = plan.stencil;
-    pass.frames = plan.reads_history && plan.bodies.hit && !plan.bodies.miss ? PassFrames::kNotWhollyDue : plan.frames;
+    // Without history nothing can hit; what is kept for a repair is kept in all frames.
+    const bool only_hits = plan.reads_history && plan.bodies.hit && !plan.bodies.miss && !plan.keeps_inputs;
+    pass.frames = only_hits ? PassFrames::kNotWhollyDue : plan.frames;
     REPRISE_TRY(chooseFragment(plan, pass));
     attach(plan, pass);
     const auto read = [&](const std::string& resource, Filter filter) {
@@ -326,6 +353,9 @@ class RecipeBuilder {
       for (std::size_t target = 0; target < targets(); ++target)
         read(payloadTarget(target), plan.reads_current ? Filter::kNearest : options_.filter);
     if (plan.reads_history && !layout_.depth_in_alpha) read(kPayloadDepth, options_.filter);
+    if (plan.kind == PassKind::kTiles)
+      for (std::size_t target = 0; target < kept_formats_.size(); ++target)
+        pass.reads.push_back({keptTarget(target), kHistoryBinding + static_cast<std::uint32_t>(target), Filter::kNearest, true});
     recipe().passes.push_back(std::move(pass));
     return {};
   }
@@ -338,6 +368,8 @@ class RecipeBuilder {
   std::vector<PassPlan> plans_;
   std::vector<int> guards_;  // channels
   CacheLayout layout_;
+  KeptInputs kept_;  // of strategies that repair
+  std::vector<ResourceFormat> kept_formats_;
   int cache_location_ = 1;
   int attachments_ = 1;
   BuiltRecipe built_;
@@ -351,26 +383,7 @@ Result<BuiltRecipe> buildRecipe(const ShaderProgram& program, const Candidate& c
   if (strategy == nullptr)
     return Error{ErrorKind::kInput, "strategy.unknown", "there is no strategy '" + options.strategy + "'", {}};
   REPRISE_CHECK(std::has_single_bit(options.block_pixels) && options.block_pixels >= 2, options.block_pixels);
-  if (strategy->caches && program.analysis.refusal) return *program.analysis.refusal;
-  if (strategy->caches && strategy->passes.size() > 1 && testsEarly(program) && decidesDepth(program))
-    return Error{ErrorKind::kRefused, "state.early_tests",
-                 "'" + strategy->name +
-                     "' tells hits from misses by discarding, which early_fragment_tests makes too late for this shader", {}};
-  const bool compares_equal = std::any_of(strategy->passes.begin(), strategy->passes.end(),
-                                          [](const PassPlan& pass) { return pass.depth == DepthUse::kEqualNoWrite; });
-  if (strategy->caches && compares_equal && program.interface.writes_depth)
-    return Error{ErrorKind::kRefused, "state.computed_depth",
-                 "'" + strategy->name +
-                     "' needs equal depths in several passes, which drivers need not compute for a shader that writes depth", {}};
-  if (strategy->rejects_by_depth && !limits.strict_depth_with_writes)
-    return Error{ErrorKind::kRefused, "state.depth_compare",
-                 "'" + strategy->name + "' tells hits from misses by depth and needs a LESS or GREATER test with writes", {}};
-  if (strategy->needs_stencil && !limits.stencil)
-    return Error{ErrorKind::kRefused, "state.no_stencil", "'" + strategy->name + "' needs a depth target with stencil", {}};
-  if (strategy->caches && isInteger(candidate.scalar) && options.filter != Filter::kNearest)
-    return Error{ErrorKind::kRefused, "filter.integer",
-                 "'" + candidate.id + "' is of type " + candidate.type +
-                     ", which is kept bit by bit and cannot be interpolated; fetch it with the nearest filter", {}};
+  if (auto refusal = refuseVariant(program, candidate, options, limits)) return *refusal;
   return RecipeBuilder(program, candidate, options, *strategy).build();
 }
 

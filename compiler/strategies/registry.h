@@ -9,6 +9,7 @@ Strategy makeBranchStrategy();
 Strategy makeTwoPassStrategy();
 Strategy makeTwoPassStencilStrategy();
 Strategy makeThreePassStrategy();
+Strategy makeRepairStrategy();
 Strategy makeOriginalStrategy();
 Strategy makeOriginalPrepassStrategy();
 Strategy makeTailOnlyStrategy();

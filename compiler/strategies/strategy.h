@@ -25,6 +25,7 @@ enum class FragmentSource { kFrame, kOriginal, kNone };
 
 struct PassPlan {
   std::string name;
+  PassKind kind = PassKind::kDraw;  // kTiles: of tiles in which `keeps_inputs` flagged misses
   int rendering = 0;
   FragmentSource source = FragmentSource::kFrame;
   std::string frame;           // "branch.frag" of compiler/strategies/glsl
@@ -34,6 +35,7 @@ struct PassPlan {
   bool counts = true;          // of the counting copy: it tells hits from misses
   bool reads_history = false;  // last frame's history
   bool reads_current = false;  // this frame's, written by an earlier rendering
+  bool keeps_inputs = false;   // what a miss needs is left for a pass of tiles (kept_inputs.h)
   bool depth_clear = true;
   DepthUse depth = DepthUse::kAsApp;
   StencilUse stencil = StencilUse::kNone;
@@ -52,8 +54,11 @@ struct Strategy {
   std::vector<PassPlan> passes;
 };
 
-// Explicit table: branch, two_pass, two_pass_stencil, three_pass, and the references original, original_prepass, tail_only.
+// Explicit table: branch, two_pass, two_pass_stencil, three_pass, repair, and the references original, original_prepass, tail_only.
 std::span<const Strategy> strategies();
+// Whether misses are finished without drawing the application's objects again.
+bool repairs(const Strategy& strategy);
+
 const Strategy* findStrategy(const std::string& name);
 
 }  // namespace reprise

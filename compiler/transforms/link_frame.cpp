@@ -57,6 +57,7 @@ class Linker {
     takeOverVariables();
     dropUnusedInterface();
     if (module_.version >= 0x00010400) listAllGlobals();
+    if (module_.version < 0x00010300) declareStorageClass();
     return std::move(module_);
   }
 
@@ -96,13 +97,24 @@ class Linker {
     }
   }
 
+  bool becomesPrivate(std::uint32_t host_variable) const {
+    return std::any_of(bindings_.variables.begin(), bindings_.variables.end(), [&](const auto& entry) { return entry.second == host_variable; });
+  }
+
+  // The variable of the host that a variable of the frame is.
+  std::optional<std::uint32_t> hostVariable(const Instruction& variable) const {
+    const auto name = frame_names_.find(variable.result_id);
+    const auto shared = name == frame_names_.end() ? bindings_.shared.end() : bindings_.shared.find(name->second);
+    return shared == bindings_.shared.end() ? hostBuiltIn(variable) : shared->second;
+  }
+
   std::optional<std::uint32_t> hostBuiltIn(const Instruction& variable) const {
     if (static_cast<StorageClass>(variable.word(0)) != StorageClass::Input) return std::nullopt;
     const auto built_in = decorationOf(frame_, variable.result_id, spv::Decoration::BuiltIn);
     if (!built_in) return std::nullopt;
     for (const Instruction& global : module_.globals)
       if (global.opcode == Op::OpVariable && static_cast<StorageClass>(global.word(0)) == StorageClass::Input &&
-          decorationOf(module_, global.result_id, spv::Decoration::BuiltIn) == built_in)
+          decorationOf(module_, global.result_id, spv::Decoration::BuiltIn) == built_in && !becomesPrivate(global.result_id))
         return global.result_id;
     return std::nullopt;
   }
@@ -120,7 +132,7 @@ class Linker {
         }
       }
       if (global.opcode == Op::OpVariable)
-        if (const auto shared = hostBuiltIn(global)) {
+        if (const auto shared = hostVariable(global)) {
           ids_[global.result_id] = *shared;
           continue;
         }
@@ -168,10 +180,11 @@ class Linker {
     const Instruction& frame_entry = frame_.entry_points.front();
     Instruction entry = translated(frame_entry);
     std::vector<Instruction> modes;
-    for (Instruction mode : module_.execution_modes) {
-      mode.operands[0] = entry.operands[1];
-      if (std::find(modes.begin(), modes.end(), mode) == modes.end()) modes.push_back(std::move(mode));
-    }
+    for (const auto* of_one : {static_cast<const std::vector<Instruction>*>(&module_.execution_modes), &frame_.execution_modes})
+      for (Instruction mode : *of_one) {
+        mode.operands[0] = entry.operands[1];
+        if (std::find(modes.begin(), modes.end(), mode) == modes.end()) modes.push_back(std::move(mode));
+      }
     for (const Instruction& host_entry : module_.entry_points)
       for (std::size_t i = 3; i < host_entry.operands.size(); ++i)
         if (std::find(entry.operands.begin() + 3, entry.operands.end(), host_entry.operands[i]) == entry.operands.end())
@@ -232,6 +245,14 @@ class Linker {
       if (std::find(entry.operands.begin() + 3, entry.operands.end(), variable) == entry.operands.end())
         entry.operands.push_back(variable);
     }
+  }
+
+  // Frames are SPIR-V 1.3, whose storage buffers older versions know by an extension.
+  void declareStorageClass() {
+    const bool used = std::any_of(module_.globals.begin(), module_.globals.end(), [](const Instruction& global) {
+      return global.opcode == Op::OpVariable && static_cast<StorageClass>(global.word(0)) == StorageClass::StorageBuffer;
+    });
+    if (used) unite(module_.extensions, {makeInstruction(Op::OpExtension, 0, 0, {stringOperand("SPV_KHR_storage_buffer_storage_class")})});
   }
 
   Module module_;

@@ -154,12 +154,4 @@ std::vector<std::byte> fillBlock(const Scenario& scenario, const SessionSpec& se
   return block;
 }
 
-bool isPerObject(const Scenario& scenario, const std::string& block_name) {
-  return std::any_of(scenario.uniforms.begin(), scenario.uniforms.end(), [&](const UniformBinding& binding) {
-    const auto* semantic = std::get_if<Semantic>(&binding.source);
-    return blockOf(binding.member) == block_name && semantic &&
-           (*semantic == Semantic::kModel || *semantic == Semantic::kNormalMatrix || isModelSemantic(*semantic));
-  });
-}
-
 }  // namespace reprise

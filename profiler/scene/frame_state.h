@@ -64,7 +64,4 @@ std::vector<std::byte> fillBlock(const Scenario& scenario, const SessionSpec& se
                                  std::size_t object, const std::string& block_name,
                                  const std::vector<BlockMember>& members, std::uint32_t size_bytes);
 
-// True if the block's content differs from object to object (it holds model or normal_matrix).
-bool isPerObject(const Scenario& scenario, const std::string& block_name);
-
 }  // namespace reprise

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "profiler/scene/shared_inputs.h"
 #include "profiler/session/gbuffer_pass.h"
 #include "profiler/session/scene_draws.h"
 #include "profiler/session/shadow_pass.h"
@@ -120,6 +121,7 @@ Result<Player> SceneRenderer::createPlayer(const Package& package, const PlayerO
   pipeline.push_constants = state.scene.push_ranges;
   for (std::size_t i = 0; i < state.interface->outputs.size(); ++i) pipeline.color_formats.push_back(colorFormat(i));
   pipeline.depth_format = depthFormat();
+  pipeline.draws_share_inputs = drawsShareInputs(*state.scenario, *state.interface);
   const FunctionSource functions = state.context->functions();
   return Player::create({functions.instance, state.context->view().physical_device, functions.device, functions.get_instance_proc_addr,
                          functions.get_device_proc_addr},

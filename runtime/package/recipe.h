@@ -9,6 +9,7 @@
 //   binding 1             uniform buffer, dynamic offset, one per draw: uint valid_last_frame at 0 (0 for a draw id that was
 //                         absent last frame), the push constants of last frame from byte 16 on
 //   bindings 2..          combined image samplers of the pass's `reads`
+//   binding 15            where `flags_tiles`: storage buffer, a uint for each tile of the target, row by row; 0 at the start of a frame
 //   bindings 16..         uniform buffers, dynamic offset: last frame's content of the blocks in `previous_inputs`
 // The layout is the same for all passes of a recipe; bindings that a pass does not read may hold any valid image.
 #pragma once
@@ -24,7 +25,7 @@
 
 namespace reprise {
 
-inline constexpr int kRecipeFormatVersion = 4;
+inline constexpr int kRecipeFormatVersion = 5;
 inline constexpr std::size_t kMostColorTargets = 8;  // of a pass; every desktop device has as many
 inline constexpr std::size_t kMostPayloadTargets = 4;                              // of four channels each
 inline constexpr std::size_t kMostPayloadChannels = 4 * kMostPayloadTargets;
@@ -83,7 +84,7 @@ struct FrameUniforms {
   std::uint32_t frame = 0;            // counts from 0
   std::uint32_t period_frames = 1;    // kNeverRefresh: never
   std::uint32_t history_valid = 0;    // 0 in frame 0 and after invalidate(): every pixel misses
-  std::uint32_t unused = 0;
+  std::uint32_t tiles = 0;            // of the target: across | down << 16; where the recipe flags tiles
   float viewport[4] = {};             // x, y, width, signed height (pixels) of this frame
   float previous_viewport[4] = {};    // of the last frame
   DueBlocks due;
@@ -141,7 +142,8 @@ struct ColorAttachment {
 };
 
 // Depth state of a pass. kAsApp: the application's comparison and write flag.
-enum class DepthUse { kAsApp, kEqualNoWrite };
+// kNone: neither tested nor written.
+enum class DepthUse { kAsApp, kEqualNoWrite, kNone };
 // Stencil state of a pass. kMarkIfZero: passes where 0, writes 1; the attachment's stencil is cleared to 0 at load.
 enum class StencilUse { kNone, kMarkIfZero };
 
@@ -156,7 +158,13 @@ struct Read {
 // The frames in which a pass draws, told by isWhollyDue. A rendering none of whose passes draws is left out with its clears.
 enum class PassFrames { kAll, kWhollyDue, kNotWhollyDue };
 
-enum class PassKind { kDraw, kDispatch, kFullScreen };  // version 1 plays kDraw
+// kDraw: the application's objects. kTiles: the player's own draw of a quad for each tile of the target, as a strip of 4 vertices for each
+// instance; the vertex module makes nothing of the tiles that are not flagged. The application's sets and push constants are those that
+// the last draw before it bound. kDispatch, kFullScreen: not played yet.
+enum class PassKind { kDraw, kTiles, kDispatch, kFullScreen };
+
+inline constexpr std::uint32_t kTilePixels = 16;  // edge of a tile
+inline constexpr std::uint32_t kTileFlagsBinding = 15;
 
 struct Pass {
   std::string name;             // "lookup", "shade", ...: for time stamps and reports
@@ -219,6 +227,8 @@ struct Requirements {
   bool independent_blend = false;
   bool linear_filter = false;           // of the history formats
   int color_attachments = 1;
+  bool fragment_stores = false;         // fragmentStoresAndAtomics
+  bool shared_inputs = false;           // what the fragment shader reads besides varyings is the same for all draws of a frame
   bool operator==(const Requirements&) const = default;
 };
 
@@ -241,6 +251,7 @@ struct Recipe {
   Requirements requirements;
   std::uint32_t reprise_set = 0;
   bool uses_reprise_set = true;     // false for the original
+  bool flags_tiles = false;         // passes of kind kTiles draw what earlier passes flag
   bool orthographic = false;        // history depth is z instead of w
   CacheConstants constants;
   std::vector<Resource> resources;

@@ -13,8 +13,9 @@ const EnumNames<Lifetime> kLifetimes = {
 const EnumNames<LoadOp> kLoads = {{LoadOp::kClear, "clear"}, {LoadOp::kLoad, "load"}, {LoadOp::kDontCare, "dont_care"}};
 const EnumNames<BlendKind> kBlends = {{BlendKind::kReplace, "replace"}, {BlendKind::kAdd, "add"}};
 const EnumNames<PassKind> kPasses = {
-    {PassKind::kDraw, "draw"}, {PassKind::kDispatch, "dispatch"}, {PassKind::kFullScreen, "full_screen"}};
-const EnumNames<DepthUse> kDepths = {{DepthUse::kAsApp, "as_app"}, {DepthUse::kEqualNoWrite, "equal_no_write"}};
+    {PassKind::kDraw, "draw"}, {PassKind::kTiles, "tiles"}, {PassKind::kDispatch, "dispatch"}, {PassKind::kFullScreen, "full_screen"}};
+const EnumNames<DepthUse> kDepths = {{DepthUse::kAsApp, "as_app"}, {DepthUse::kEqualNoWrite, "equal_no_write"},
+                                    {DepthUse::kNone, "none"}};
 const EnumNames<PassFrames> kFrames = {
     {PassFrames::kAll, "all"}, {PassFrames::kWhollyDue, "wholly_due"}, {PassFrames::kNotWhollyDue, "not_wholly_due"}};
 const EnumNames<StencilUse> kStencils = {{StencilUse::kNone, "none"}, {StencilUse::kMarkIfZero, "mark_if_zero"}};
@@ -146,12 +147,14 @@ CacheConstants constantsFrom(const json& from) {
 json toJson(const Requirements& needs) {
   return {{"stencil", needs.stencil}, {"depth_less_or_greater", needs.depth_less_or_greater},
           {"independent_blend", needs.independent_blend}, {"linear_filter", needs.linear_filter},
-          {"color_attachments", needs.color_attachments}};
+          {"color_attachments", needs.color_attachments}, {"fragment_stores", needs.fragment_stores},
+          {"shared_inputs", needs.shared_inputs}};
 }
 
 Requirements requirementsFrom(const json& from) {
   return {boolAt(from, "stencil"), boolAt(from, "depth_less_or_greater"), boolAt(from, "independent_blend"),
-          boolAt(from, "linear_filter"), integerAt<int>(from, "color_attachments")};
+          boolAt(from, "linear_filter"), integerAt<int>(from, "color_attachments"), boolAt(from, "fragment_stores"),
+          boolAt(from, "shared_inputs")};
 }
 
 }  // namespace
@@ -163,7 +166,7 @@ json recipeJson(const Recipe& recipe) {
           {"previous", nameOf(recipe.previous)},
           {"payload", listJson(recipe.payload, [](const PayloadValue& value) { return toJson(value); })},
           {"requirements", toJson(recipe.requirements)}, {"reprise_set", recipe.reprise_set},
-          {"uses_reprise_set", recipe.uses_reprise_set}, {"orthographic", recipe.orthographic},
+          {"uses_reprise_set", recipe.uses_reprise_set}, {"flags_tiles", recipe.flags_tiles}, {"orthographic", recipe.orthographic},
           {"constants", toJson(recipe.constants)},
           {"resources", listJson(recipe.resources, [](const Resource& resource) { return toJson(resource); })},
           {"passes", listJson(recipe.passes, [](const Pass& pass) { return toJson(pass); })},
@@ -185,6 +188,7 @@ Recipe recipeFrom(const json& from) {
   recipe.requirements = requirementsFrom(from.at("requirements"));
   recipe.reprise_set = integerAt<std::uint32_t>(from, "reprise_set");
   recipe.uses_reprise_set = boolAt(from, "uses_reprise_set");
+  recipe.flags_tiles = boolAt(from, "flags_tiles");
   recipe.orthographic = boolAt(from, "orthographic");
   recipe.constants = constantsFrom(from.at("constants"));
   recipe.resources = listAt<Resource>(from, "resources", resourceFrom);

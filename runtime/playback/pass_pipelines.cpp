@@ -25,6 +25,7 @@ std::vector<VkDescriptorSetLayoutBinding> ownBindings(const Recipe& recipe) {
     for (const Read& read : pass.reads) add(read.binding, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
   for (const PreviousInput& input : recipe.previous_inputs)
     if (input.source == PreviousSource::kUniformBlock) add(input.reprise_binding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC);
+  if (recipe.flags_tiles) add(kTileFlagsBinding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
   std::vector<VkDescriptorSetLayoutBinding> list;
   for (const auto& [number, binding] : bindings) list.push_back(binding);
   return list;
@@ -70,6 +71,7 @@ VkPipelineDepthStencilStateCreateInfo depthState(const ApplicationPipeline& appl
   if (application.depth_format == VK_FORMAT_UNDEFINED) return state;
   if (application.create_info->pDepthStencilState != nullptr) state = *application.create_info->pDepthStencilState;
   state.pNext = nullptr;
+  if (pass.depth == DepthUse::kNone) state.depthTestEnable = state.depthWriteEnable = state.stencilTestEnable = state.depthBoundsTestEnable = VK_FALSE;
   if (pass.depth == DepthUse::kEqualNoWrite) {
     state.depthCompareOp = VK_COMPARE_OP_EQUAL;
     state.depthWriteEnable = VK_FALSE;
@@ -120,6 +122,26 @@ VkPipelineShaderStageCreateInfo stageInfo(VkShaderStageFlagBits stage, VkShaderM
   return info;
 }
 
+// The player's own geometry, whose vertices come from nothing but their numbers.
+struct TileGeometry {
+  VkPipelineVertexInputStateCreateInfo vertex_input{VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+  VkPipelineInputAssemblyStateCreateInfo assembly{VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
+  VkPipelineRasterizationStateCreateInfo rasterization{VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
+
+  TileGeometry() {
+    assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP;
+    rasterization.cullMode = VK_CULL_MODE_NONE;
+    rasterization.lineWidth = 1;
+  }
+
+  void applyTo(VkGraphicsPipelineCreateInfo& create) const {
+    create.pVertexInputState = &vertex_input;
+    create.pInputAssemblyState = &assembly;
+    create.pRasterizationState = &rasterization;
+    create.pTessellationState = nullptr;
+  }
+};
+
 Result<Handle<VkPipeline>> createPipeline(const DeviceView& device, const Package& package, const Recipe& recipe,
                                           const ApplicationPipeline& application, const Pass& pass, VkPipelineLayout layout) {
   REPRISE_ASSIGN(const Handle<VkShaderModule> vertex, createModule(device, package.modules.at(pass.vertex_module)));
@@ -146,7 +168,9 @@ Result<Handle<VkPipeline>> createPipeline(const DeviceView& device, const Packag
   dynamic.dynamicStateCount = 2;
   dynamic.pDynamicStates = dynamic_states;
   const VkPipelineDepthStencilStateCreateInfo depth = depthState(application, pass);
+  const TileGeometry tiles;
   VkGraphicsPipelineCreateInfo create = *application.create_info;
+  if (pass.kind == PassKind::kTiles) tiles.applyTo(create);
   create.pNext = &rendering;
   create.stageCount = static_cast<std::uint32_t>(stages.size());
   create.pStages = stages.data();

@@ -10,6 +10,7 @@
 #include "runtime/playback/history_images.h"
 #include "runtime/playback/pass_pipelines.h"
 #include "runtime/playback/requirements.h"
+#include "runtime/playback/tile_flags.h"
 
 namespace reprise {
 namespace {
@@ -48,6 +49,7 @@ struct Player::State {
   Handle<VkDescriptorPool> pool;
   std::vector<FrameSlot> slots;
   ImagesByName images;
+  TileFlags tiles;  // of recipes that flag them
   VkExtent2D extent = {};
   VkDeviceSize uniform_alignment = 256;
   std::uint64_t frame = 0;
@@ -77,6 +79,7 @@ class RecordingPass final : public PassContext {
     std::uint32_t set_index;
     VkDescriptorSet set;
     const std::map<std::uint64_t, DrawOffsets>* offsets;
+    bool* drawn;  // becomes true with the first draw
   };
   explicit RecordingPass(const Parts& parts) : parts_(parts) {}
 
@@ -87,6 +90,7 @@ class RecordingPass final : public PassContext {
     if (!parts_.binds) return;
     const auto found = parts_.offsets->find(id);
     REPRISE_CHECK(found != parts_.offsets->end(), id);
+    *parts_.drawn = true;
     parts_.device->fn.vkCmdBindDescriptorSets(parts_.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, parts_.layout, parts_.set_index, 1,
                                               &parts_.set, static_cast<std::uint32_t>(found->second.size()), found->second.data());
   }
@@ -145,14 +149,15 @@ Result<void> Player::State::createDescriptors() {
   REPRISE_ASSIGN(nearest, createSampler(device, VK_FILTER_NEAREST));
   REPRISE_ASSIGN(linear, createSampler(device, VK_FILTER_LINEAR));
   const auto sets = static_cast<std::uint32_t>(slots.size() * recipe->passes.size());
-  const VkDescriptorPoolSize sizes[] = {
+  const std::vector<VkDescriptorPoolSize> sizes = {
       {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, sets},
       {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, sets * static_cast<std::uint32_t>(1 + recipe->previous_inputs.size())},
-      {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, sets * kMostReadBindings}};
+      {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, sets * kMostReadBindings},
+      {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, sets}};
   VkDescriptorPoolCreateInfo create{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
   create.maxSets = sets;
-  create.poolSizeCount = 3;
-  create.pPoolSizes = sizes;
+  create.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
+  create.pPoolSizes = sizes.data();
   VkDescriptorPool created = VK_NULL_HANDLE;
   REPRISE_VK(device.fn.vkCreateDescriptorPool(device.device, &create, nullptr, &created));
   pool = {device.device, created, device.fn.vkDestroyDescriptorPool};
@@ -173,6 +178,7 @@ Result<void> Player::State::resize(VkExtent2D to) {
   // Frames in flight may still use the old images.
   if (!images.empty()) REPRISE_VK(device.fn.vkDeviceWaitIdle(device.device));
   REPRISE_ASSIGN(images, createResourceImages(device, *recipe, to));
+  if (recipe->flags_tiles) REPRISE_TRY(tiles.resize(device, to));
   extent = to;
   history_valid = false;
   return {};
@@ -191,6 +197,7 @@ FrameUniforms Player::State::uniformsOf(const FrameInputs& inputs) const {
   uniforms.history_valid = history_valid ? 1 : 0;
   uniforms.due = dueBlocks({recipe->pattern, inputs.period_frames, recipe->block_pixels}, uniforms.frame,
                            static_cast<std::uint32_t>(inputs.viewport.width), static_cast<std::uint32_t>(std::abs(inputs.viewport.height)));
+  if (recipe->flags_tiles) uniforms.tiles = tiles.across() | tiles.down() << 16;
   uniforms.free_payload = recipe->constants.free_payload;
   write(uniforms.viewport, inputs.viewport);
   write(uniforms.previous_viewport, history_valid ? previous_viewport : inputs.viewport);
@@ -216,7 +223,7 @@ void Player::State::updateSets(FrameSlot& slot) {
     std::vector<VkDescriptorBufferInfo> buffers;
     std::vector<VkDescriptorImageInfo> image_infos;
     std::vector<VkWriteDescriptorSet> writes;
-    buffers.reserve(recipe->previous_inputs.size() + 2);
+    buffers.reserve(recipe->previous_inputs.size() + 3);
     image_infos.reserve(kMostReadBindings);
     const auto add = [&](std::uint32_t binding, VkDescriptorType type) -> VkWriteDescriptorSet& {
       VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
@@ -227,14 +234,16 @@ void Player::State::updateSets(FrameSlot& slot) {
       writes.push_back(write);
       return writes.back();
     };
-    const auto addBuffer = [&](std::uint32_t binding, VkDescriptorType type, VkDeviceSize range) {
-      buffers.push_back({slot.uniforms.buffer(), 0, range});
+    const auto addBuffer = [&](std::uint32_t binding, VkDescriptorType type, const VkDescriptorBufferInfo& buffer) {
+      buffers.push_back(buffer);
       add(binding, type).pBufferInfo = &buffers.back();
     };
-    addBuffer(0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, sizeof(FrameUniforms));
-    addBuffer(1, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, UniformRegion::drawBlockBytes(*recipe));
+    const VkBuffer memory = slot.uniforms.buffer();
+    addBuffer(0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, {memory, 0, sizeof(FrameUniforms)});
+    addBuffer(1, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, {memory, 0, UniformRegion::drawBlockBytes(*recipe)});
     for (const PreviousInput& input : recipe->previous_inputs)
-      if (input.source == PreviousSource::kUniformBlock) addBuffer(input.reprise_binding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, input.size_bytes);
+      if (input.source == PreviousSource::kUniformBlock) addBuffer(input.reprise_binding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, {memory, 0, input.size_bytes});
+    if (recipe->flags_tiles) addBuffer(kTileFlagsBinding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, {tiles.buffer(), 0, VK_WHOLE_SIZE});
     // Bindings that this pass does not read still get an image: another pass's, in the role that is safe to bind now.
     std::map<std::uint32_t, const Read*> reads;
     for (const Pass& other : recipe->passes)
@@ -255,6 +264,7 @@ void Player::State::updateSets(FrameSlot& slot) {
 void Player::State::prepareImages(VkCommandBuffer commands, const Pass& pass, bool first_rendering, std::set<std::string>& written) {
   const bool omit = !first_rendering && options.omit_barrier_for_test;
   if (!first_rendering && !omit) appDependency(device, commands);
+  if (pass.kind == PassKind::kTiles && !omit) tiles.makeVisible(device, commands);
   for (const Read& read : pass.reads) {
     ResourceImages& resource = images.at(read.resource);
     transition(device, commands, read.current ? resource.written(frame) : resource.last(frame),
@@ -288,7 +298,8 @@ Result<void> Player::record(VkCommandBuffer commands, const FrameInputs& inputs,
   if (inputs.occlusion != VK_NULL_HANDLE) device.fn.vkCmdResetQueryPool(commands, inputs.occlusion, inputs.first_occlusion, pass_count);
 
   std::set<std::string> written;
-  bool first_rendering = true;
+  bool first_rendering = true, drawn = false;
+  if (recipe.flags_tiles) state.tiles.clear(device, commands);
   RenderingParts parts{&inputs, &state.images, state.frame, state.application.depth_format, recipe.requirements.stencil, {}, false};
   for (std::uint32_t index = 0; index < pass_count; ++index) {
     const Pass& pass = recipe.passes[index];
@@ -310,8 +321,13 @@ Result<void> Player::record(VkCommandBuffer commands, const FrameInputs& inputs,
     if (inputs.occlusion != VK_NULL_HANDLE)
       device.fn.vkCmdBeginQuery(commands, inputs.occlusion, inputs.first_occlusion + index, VK_QUERY_CONTROL_PRECISE_BIT);
     RecordingPass context({&device, commands, state.pipelines.layout.get(), static_cast<int>(index), recipe.uses_reprise_set,
-                           recipe.reprise_set, recipe.uses_reprise_set ? slot.sets[index] : VK_NULL_HANDLE, &state.offsets});
-    if (drawsIn(pass, wholly_due)) draw(context);
+                           recipe.reprise_set, recipe.uses_reprise_set ? slot.sets[index] : VK_NULL_HANDLE, &state.offsets, &drawn});
+    if (drawsIn(pass, wholly_due) && pass.kind == PassKind::kDraw) draw(context);
+    // What no draw bound no tile can read: then there is nothing to finish either.
+    if (drawsIn(pass, wholly_due) && pass.kind == PassKind::kTiles && drawn) {
+      context.bindDraw(state.offsets.begin()->first);
+      state.tiles.drawTiles(device, commands);
+    }
     if (inputs.occlusion != VK_NULL_HANDLE) device.fn.vkCmdEndQuery(commands, inputs.occlusion, inputs.first_occlusion + index);
     if (ends) device.fn.vkCmdEndRendering(commands);
     if (inputs.timestamps != VK_NULL_HANDLE)

@@ -52,6 +52,10 @@ struct ApplicationPipeline {
   std::vector<VkPushConstantRange> push_constants;
   std::vector<VkFormat> color_formats;
   VkFormat depth_format = VK_FORMAT_D32_SFLOAT;
+  // The application's word, which packages of strategy repair need: what the fragment shader reads besides its varyings (descriptors,
+  // push constants) is the same for all draws of a frame, and the device has fragmentStoresAndAtomics enabled. The misses of all draws
+  // are then finished by one draw of the player's own, with the sets and push constants that the last of them left bound.
+  bool draws_share_inputs = false;
 };
 
 struct ColorTarget {

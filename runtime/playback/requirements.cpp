@@ -32,6 +32,8 @@ std::string missingState(const Recipe& recipe, const ApplicationPipeline& applic
   if (recipe.requirements.stencil && depth->stencilTestEnable == VK_TRUE) return "the application uses the stencil itself";
   if (application.set_layouts.size() > recipe.reprise_set)
     return "descriptor set " + std::to_string(recipe.reprise_set) + " is taken by the application";
+  if (recipe.requirements.shared_inputs && !application.draws_share_inputs)
+    return "the strategy needs all draws of a frame to share what the fragment shader reads, which the application does not say of them";
   return "";
 }
 
@@ -51,6 +53,8 @@ std::string missingLimit(const DeviceView& device, const Recipe& recipe) {
   device.fn.vkGetPhysicalDeviceFeatures2(device.physical_device, &features);
   if (recipe.requirements.independent_blend && features.features.independentBlend == VK_FALSE)
     return "the device cannot blend each target by itself";
+  if (recipe.requirements.fragment_stores && features.features.fragmentStoresAndAtomics == VK_FALSE)
+    return "the device has no stores in fragment shaders";
   return "";
 }
 

@@ -7,6 +7,7 @@ constexpr VkMemoryPropertyFlags kMapped = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | 
 
 // Reading memory that the processor does not cache is some fifty times slower; vertices across the bus are read anew for every pass.
 VkMemoryPropertyFlags preferred(VkBufferUsageFlags usage) {
+  if ((usage & VK_BUFFER_USAGE_STORAGE_BUFFER_BIT) != 0) return kMapped | VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
   if ((usage & VK_BUFFER_USAGE_TRANSFER_DST_BIT) != 0) return kMapped | VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
   if ((usage & VK_BUFFER_USAGE_TRANSFER_SRC_BIT) != 0) return kMapped;
   return kMapped | VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;

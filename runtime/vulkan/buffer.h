@@ -1,5 +1,5 @@
 // A buffer in host-visible, coherent memory, mapped for as long as it lives: cached by the processor if it is a transfer's destination,
-// which the host reads, and on the device where that can be mapped if the device reads it.
+// which the host reads, and on the device where that can be mapped if the device reads it or shaders write it.
 #pragma once
 
 #include <cstddef>

@@ -24,7 +24,7 @@
   X(vkGetBufferMemoryRequirements) X(vkGetDeviceQueue) X(vkGetImageMemoryRequirements)                     \
   X(vkGetQueryPoolResults) X(vkMapMemory) X(vkQueueSubmit) X(vkResetCommandBuffer) X(vkResetFences)        \
   X(vkUpdateDescriptorSets) X(vkWaitForFences) X(vkCreateBufferView) X(vkDestroyBufferView)                \
-  X(vkCmdClearAttachments)
+  X(vkCmdClearAttachments) X(vkCmdFillBuffer)
 
 // Core in Vulkan 1.3, else under the name of the extension; looked up under both.
 #define REPRISE_DEVICE_FUNCTIONS_KHR(X) X(vkCmdBeginRendering) X(vkCmdEndRendering)

@@ -29,7 +29,7 @@ constexpr const char* kHead = "#version 450\nlayout(location = 0) in vec3 place;
 TEST_F(CheckModule, VerifiesEveryStrategy) {
   const ModuleVerdict verdict = checkText(std::string(kHead) + "void main() { color = vec4(sin(place * 7.0) * exp(place.x), 1.0) * 0.5; }\n");
   EXPECT_EQ(verdict.verdict, Verdict::kVerified) << verdict.code << ' ' << verdict.reason;
-  EXPECT_EQ(verdict.variants, 4);
+  EXPECT_EQ(verdict.variants, 5);
   EXPECT_GE(originals_, 1);
 }
 
@@ -116,7 +116,7 @@ TEST(Laws, NoticeAPoisonedCache) {
   options.ranges = {0.3f, 20, {}, {}};
   for (const bool poisoned : {false, true}) {
     options.poisoned = poisoned;
-    const Package package = buildPackage(program, candidates.front(), options, {true, true}).value();
+    const Package package = buildPackage(program, candidates.front(), options, {true, true, true}).value();
     Player original = harness.createPlayer(package, true).value(), variant = harness.createPlayer(package, false).value();
     const HarnessFrame expected = harness.play(original, {0, 1}).value();
     harness.play(variant, {0, 4}).value();

@@ -12,7 +12,7 @@
 namespace reprise {
 namespace {
 
-constexpr StateLimits kAllows = {true, true};
+constexpr StateLimits kAllows = {true, true, true};
 
 struct SubjectOfStrategies {
   ShaderProgram program;
@@ -31,8 +31,12 @@ SubjectOfStrategies subjectOf(const std::string& file) {
 // Integers are fetched nearest, whatever is tried with other payloads.
 Filter filterFor(const Candidate& candidate, Filter filter) { return isInteger(candidate.scalar) ? Filter::kNearest : filter; }
 
-// A refusal that is right: a depth prepass of a shader that discards.
+// A refusal that is right: a depth prepass of a shader that discards, a repair of one that discards or takes derivatives, or
+// that has too many outputs and inputs.
 bool rightlyRefused(const Strategy& strategy, const ShaderProgram& program, const Error& error) {
+  if (repairs(strategy) && error.code == "state.targets") return true;
+  if (repairs(strategy) && program.analysis.takes_derivatives) return error.code == "repair.derivatives";
+  if (repairs(strategy) && program.analysis.discards) return error.code == "repair.discards";
   return strategy.name == "original_prepass" && program.analysis.discards && error.code == "state.prepass_discards";
 }
 
@@ -41,7 +45,7 @@ class StrategyOn : public testing::TestWithParam<std::string> {};
 // Of pairs of eyes only the first is fetched from: the second writes no payload, and one image is enough.
 TEST(Pairs, StoreInFramesThatAreWhollyDueAlone) {
   const SubjectOfStrategies subject = subjectOf(std::string(REPRISE_SOURCE_DIR) + "/shaders/marble/marble.frag");
-  for (const char* strategy : {"branch", "two_pass", "two_pass_stencil"}) {
+  for (const char* strategy : {"branch", "two_pass", "two_pass_stencil", "repair"}) {
     SCOPED_TRACE(strategy);
     VariantOptions options;
     options.strategy = strategy;
@@ -50,9 +54,10 @@ TEST(Pairs, StoreInFramesThatAreWhollyDueAlone) {
     options.period_frames = 2;
     const Result<Package> package = buildPackage(subject.program, subject.first(), options, kAllows);
     ASSERT_TRUE(package.ok()) << formatError(package.error());
-    for (const Resource& resource : package->variant.resources) EXPECT_EQ(resource.lifetime, Lifetime::kPersistent) << resource.name;
+    for (const Resource& resource : package->variant.resources)
+      EXPECT_EQ(resource.lifetime, resource.name.starts_with("kept") ? Lifetime::kFrame : Lifetime::kPersistent) << resource.name;
     for (const Pass& pass : package->variant.passes) {
-      const bool stores = std::any_of(pass.colors.begin(), pass.colors.end(), [](const ColorAttachment& color) { return !color.resource.empty(); });
+      const bool stores = std::any_of(pass.colors.begin(), pass.colors.end(), [](const ColorAttachment& color) { return color.resource == payloadTarget(0); });
       EXPECT_EQ(stores, pass.name == "store") << pass.name;
       EXPECT_EQ(pass.frames, stores ? PassFrames::kWhollyDue : PassFrames::kNotWhollyDue) << pass.name;
     }
@@ -175,8 +180,9 @@ std::string refusalOf(const std::string& strategy, const StateLimits& limits) {
 
 TEST(Strategies, WhatTheStateForbidsIsRefused) {
   for (const Strategy& strategy : strategies()) {
-    const StateLimits none = {false, false};
-    const std::string expected = strategy.rejects_by_depth ? "state.depth_compare" : strategy.needs_stencil ? "state.no_stencil" : "";
+    const StateLimits none = {false, false, false};
+    const std::string expected = strategy.rejects_by_depth ? "state.depth_compare" : strategy.needs_stencil ? "state.no_stencil"
+                                 : repairs(strategy)       ? "state.shared_inputs" : "";
     EXPECT_EQ(refusalOf(strategy.name, none), expected) << strategy.name;
   }
   EXPECT_EQ(refusalOf("branchy", kAllows), "strategy.unknown");

@@ -53,7 +53,7 @@ Result<void> rewriteAll(std::span<const std::uint32_t> words, const Rewriting& r
   enumeration.most = rewriting.candidates;
   const std::vector<Candidate> candidates =
       enumerateCandidates(*program.fragment, program.analysis, program.sources, enumeration);
-  const StateLimits limits{true, true};
+  const StateLimits limits{true, true, true};
   for (const Candidate& candidate : candidates) {
     if (!candidate.kept()) break;
     for (const Strategy& strategy : strategies()) {

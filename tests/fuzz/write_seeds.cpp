@@ -169,7 +169,7 @@ class SeedWriter {
         VariantOptions variant;
         variant.strategy = strategy.name;
         variant.filter = isInteger(candidate.scalar) ? Filter::kNearest : Filter::kBilinear;
-        const Result<Package> package = buildPackage(program, candidate, variant, {true, true});
+        const Result<Package> package = buildPackage(program, candidate, variant, {true, true, true});
         if (!package.ok()) continue;
         for (const auto& [name, words] : package->modules) write("spirv_reader", bytesOf(words));
         const fs::path scratch = folder_ / "scratch";

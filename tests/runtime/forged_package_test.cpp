@@ -110,6 +110,18 @@ struct Contradiction {
   void (*apply)(Recipe&);
 };
 
+// A third pass, of tiles, in a rendering of its own: sound as it is.
+Recipe& addTiles(Recipe& recipe) {
+  recipe.flags_tiles = recipe.requirements.fragment_stores = recipe.requirements.shared_inputs = true;
+  Pass tiles = recipe.passes.back();
+  tiles.name = "tiles";
+  tiles.kind = PassKind::kTiles;
+  tiles.rendering = recipe.passes.back().rendering + 1;
+  tiles.depth = DepthUse::kNone;
+  recipe.passes.push_back(tiles);
+  return recipe;
+}
+
 const Contradiction kContradictions[] = {
     {"a thousand passes", [](Recipe& recipe) { recipe.passes.resize(1000, recipe.passes[0]); }},
     {"unknown resource written", [](Recipe& recipe) { recipe.passes[0].colors[1].resource = "nonesuch"; }},
@@ -154,7 +166,17 @@ const Contradiction kContradictions[] = {
     {"previous block too large", [](Recipe& recipe) { recipe.previous_inputs[0].size_bytes = 1u << 31; }},
     {"previous block at a read's binding", [](Recipe& recipe) { recipe.previous_inputs[0].reprise_binding = 2; }},
     {"push constants twice", [](Recipe& recipe) { recipe.previous_inputs.push_back(recipe.previous_inputs[1]); }},
-    {"pass that version 1 does not play", [](Recipe& recipe) { recipe.passes[0].kind = PassKind::kDispatch; }}};
+    {"pass that this version does not play", [](Recipe& recipe) { recipe.passes[0].kind = PassKind::kDispatch; }},
+    {"read at the binding of the tiles' flags", [](Recipe& recipe) { recipe.passes[0].reads[0].binding = kTileFlagsBinding; }},
+    {"flags without a requirement", [](Recipe& recipe) { recipe.flags_tiles = true; }},
+    {"tiles that are not flagged", [](Recipe& recipe) { addTiles(recipe).flags_tiles = false; }},
+    {"tiles whose inputs need not be shared", [](Recipe& recipe) { addTiles(recipe).requirements.shared_inputs = false; }},
+    {"tiles before any draw",
+     [](Recipe& recipe) {
+       addTiles(recipe);
+       for (std::size_t i = 0; i + 1 < recipe.passes.size(); ++i) recipe.passes[i].frames = PassFrames::kWhollyDue;
+     }},
+    {"tiles in a rendering with others", [](Recipe& recipe) { addTiles(recipe).passes.back().rendering = recipe.passes[0].rendering; }}};
 
 TEST(ContradictingPackage, IsFoundInMemory) {
   for (const Contradiction& contradiction : kContradictions) {
@@ -165,6 +187,13 @@ TEST(ContradictingPackage, IsFoundInMemory) {
     ASSERT_FALSE(checked.ok()) << contradiction.what;
     EXPECT_EQ(checked.error().code, "package.inconsistent") << contradiction.what;
   }
+}
+
+TEST(ContradictingPackage, TilesAfterADrawAreNone) {
+  Package package = twoPassPackage();
+  addTiles(package.variant);
+  const Result<void> checked = checkPackage(package);
+  EXPECT_TRUE(checked.ok()) << formatError(checked.error());
 }
 
 TEST(ContradictingPackage, TheOriginalIsCheckedToo) {

@@ -266,12 +266,5 @@ TEST(FillBlock, CountsTimeFramesAndPixels) {
   EXPECT_EQ(valueAt<glm::vec4>(block, 16), glm::vec4(200, 100, 1 / 200.0f, 1 / 100.0f));
 }
 
-TEST(FillBlock, IsPerObjectIfItHoldsAModelOrNormalMatrix) {
-  const Std140 layout;
-  EXPECT_TRUE(isPerObject(layout.scenario, "B"));
-  EXPECT_FALSE(isPerObject(layout.scenario, "Other"));
-  EXPECT_FALSE(isPerObject(layout.scenario, "Nonesuch"));
-}
-
 }  // namespace
 }  // namespace reprise

@@ -26,9 +26,9 @@ float repriseStoredDepth(float depth) { return depth * DEPTH_RANGE.x + DEPTH_RAN
 
 float repriseViewDepth() {
 #if ORTHOGRAPHIC
-  return gl_FragCoord.z;
+  return FRAG_COORD.z;
 #else
-  return 1.0 / gl_FragCoord.w;
+  return 1.0 / FRAG_COORD.w;
 #endif
 }
 

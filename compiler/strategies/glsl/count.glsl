@@ -10,3 +10,11 @@ void repriseCount(bool hit) {
   reprise_counts = hit ? vec4(1.0, 0.0, 0.0, 0.0) : vec4(0.0, 1.0, 0.0, 0.0);
 #endif
 }
+
+// A fragment that another pass finishes and counts.
+void repriseCountNothing() {
+#if INSTRUMENTED
+  reprise_kind = 0.0;
+  reprise_counts = vec4(0.0);
+#endif
+}

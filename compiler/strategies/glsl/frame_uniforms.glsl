@@ -4,7 +4,7 @@ layout(set = REPRISE_SET, binding = 0, std140) uniform RepriseFrame {
   uint frame;
   uint period_frames;
   uint history_valid;
-  uint unused;
+  uint tiles;           // of the target: across | down << 16, where tiles are flagged
   vec4 viewport;
   vec4 previous_viewport;
   uvec4 due;            // which blocks are due: struct DueBlocks of runtime/package/recipe.h

@@ -1,0 +1,136 @@
+// bench/triangles: what drawing again costs and what repairing instead gives, on the marble with meshes of 0.4k, 7k and 43k triangles.
+//
+// Scene: shaders/marble/marble.toml at 1280x720, session "orbit", the segments of all meshes scaled. Payload: the candidate that saves most
+// among those that stick to the surface, kept as rgba16f, fetched bilinearly, refreshed every 16 frames in blocks of 16 x 16 pixels. All
+// variants alternate with the original in one run; speed-ups are medians of paired ratios with a 95% interval.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "bench/probe_ranges.h"
+#include "bench/timed_variants.h"
+#include "cli/fit.h"
+#include "cli/train.h"
+#include "cli/version.h"
+#include "fitting/solve/paired_ratio.h"
+#include "profiler/scenario/read_scenario.h"
+#include "profiler/scene/mesh.h"
+#include "runtime/base/file.h"
+#include "runtime/vulkan/context.h"
+
+namespace reprise {
+namespace {
+
+constexpr const char* kSession = "orbit";
+constexpr std::uint32_t kPeriod = 16;
+constexpr double kMeshScales[] = {0.236, 1, 2.449};  // of segments in each direction
+constexpr const char* kStrategies[] = {"original", "original_prepass", "tail_only", "branch", "two_pass", "three_pass", "repair"};
+
+struct Bench {
+  std::string worker_path, device, json_file;
+  int rounds = 30;
+  std::uint32_t width = 1280, height = 720;
+  std::vector<int> octaves = {5, 20};
+};
+
+struct Row {
+  std::size_t triangles = 0;
+  int octaves = 0;
+  std::string strategy;
+  double frame_ms = 0;
+  PairedRatio speedup;
+};
+
+void scaleMesh(double scale, MeshSpec& mesh) {
+  const auto scaled = [&](int segments) { return std::max(3, static_cast<int>(std::lround(segments * scale))); };
+  mesh.segments_u = scaled(mesh.segments_u);
+  mesh.segments_v = scaled(mesh.segments_v);
+}
+
+Result<std::vector<Row>> measure(const Bench& bench, int octaves, double mesh_scale, const Workspace& workspace) {
+  REPRISE_ASSIGN(Scenario scenario, readScenario(std::string(REPRISE_SOURCE_DIR) + "/shaders/marble/marble.toml"));
+  scenario.defines = {{"OCTAVES", std::to_string(octaves)}};
+  scenario.width = bench.width;
+  scenario.height = bench.height;
+  std::size_t triangles = 0;
+  for (Object& object : scenario.objects) {
+    scaleMesh(mesh_scale, object.mesh);
+    triangles += buildMesh(object.mesh).indices.size() / 3;
+  }
+  REPRISE_TRY(writeFile(workspace.scenarioFile(), writeScenario(scenario, workspace.scenarioFile().parent_path())));
+  REPRISE_ASSIGN(const Subject subject, readSubject(workspace.scenarioFile()));
+  const std::size_t candidate = surfacePayload(subject);
+  REPRISE_ASSIGN(const ValueRanges ranges, probeRanges(subject, workspace, candidate, {kSession, bench.device, bench.worker_path}));
+  std::vector<TimedVariant> timed;
+  for (const char* strategy : kStrategies) {
+    VariantOptions options = baseOptions(subject, ranges);
+    options.strategy = strategy;
+    options.period_frames = kPeriod;
+    REPRISE_ASSIGN(StoredVariant stored, storeVariant(workspace, subject.program, subject.candidates[candidate], options, subject.limits));
+    timed.push_back({strategy, "", options, std::move(stored), {}});
+  }
+  REPRISE_TRY(timeVariants({bench.worker_path, bench.device, kSession, kPeriod, bench.rounds}, workspace, timed));
+  std::vector<Row> rows;
+  for (const TimedVariant& one : timed)
+    rows.push_back({triangles, octaves, one.strategy, medianOf(one.clock_ms), pairedRatio(timed[0].clock_ms, one.clock_ms)});
+  return rows;
+}
+
+nlohmann::json toJson(const Row& row) {
+  return {{"triangles", row.triangles}, {"octaves", row.octaves}, {"strategy", row.strategy}, {"frame_ms", row.frame_ms},
+          {"speedup", row.speedup.ratio}, {"speedup_ci95", {row.speedup.lo, row.speedup.hi}}};
+}
+
+Result<void> run(const Bench& bench) {
+  ContextOptions context_options;
+  context_options.device = bench.device;
+  REPRISE_ASSIGN(const Context context, Context::create(context_options));
+  const DeviceSummary& device = context.summary();
+  std::cout << fmt::format("Marble, {}; {}; clock: {}; {}x{}; period {}; {} pairs; reprise {}\n\n", device.name, device.driver,
+                           device.is_cpu ? "process CPU time" : "time stamps", bench.width, bench.height, kPeriod, bench.rounds, kToolVersion)
+            << "| octaves | triangles | strategy | frame ms | speed-up [95%] |\n|---|---|---|---|---|\n";
+  const std::filesystem::path directory = std::filesystem::temp_directory_path() / fmt::format("reprise-triangles-{}", ::getpid());
+  nlohmann::json rows = nlohmann::json::array();
+  for (const int octaves : bench.octaves)
+    for (const double scale : kMeshScales) {
+      REPRISE_ASSIGN(const Workspace workspace, Workspace::open(directory));
+      REPRISE_ASSIGN(const std::vector<Row> measured, measure(bench, octaves, scale, workspace));
+      for (const Row& row : measured) {
+        std::cout << fmt::format("| {} | {} | {} | {:.1f} | {:.2f} [{:.2f}, {:.2f}] |\n", row.octaves, row.triangles, row.strategy, row.frame_ms,
+                                 row.speedup.ratio, row.speedup.lo, row.speedup.hi)
+                  << std::flush;
+        rows.push_back(toJson(row));
+      }
+    }
+  std::error_code status;
+  std::filesystem::remove_all(directory, status);
+  if (bench.json_file.empty()) return {};
+  const nlohmann::json document = {{"device", device.name}, {"driver", device.driver}, {"clock", device.is_cpu ? "process_cpu" : "timestamps"},
+                                   {"width", bench.width}, {"height", bench.height}, {"period_frames", kPeriod}, {"rows", rows}};
+  return writeFile(bench.json_file, document.dump(2) + "\n");
+}
+
+}  // namespace
+}  // namespace reprise
+
+int main(int argc, char** argv) {
+  reprise::Bench bench;
+  CLI::App app("Times strategies on the marble at three mesh sizes and prints one table");
+  app.add_option("--json", bench.json_file, "write the rows to a file too");
+  app.add_option("--device", bench.device, "index or part of the name");
+  app.add_option("--octaves", bench.octaves, "only these")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--rounds", bench.rounds, "pairs per variant")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--width", bench.width)->check(CLI::Range(1, 8192))->capture_default_str();
+  app.add_option("--height", bench.height)->check(CLI::Range(1, 8192))->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  bench.worker_path = (std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path() / "reprise").string();
+  const reprise::Result<void> result = reprise::run(bench);
+  if (result.ok()) return 0;
+  std::cerr << reprise::formatError(result.error()) << '\n';
+  return 1;
+}
