@@ -70,6 +70,7 @@ class RecipeBuilder {
       REPRISE_ASSIGN(kept_, keptInputs(program_.fragment->module, options_.orthographic));
       kept_formats_ = keptFormats(kept_);
     }
+    REPRISE_TRY(countTargets());
     declareResources();
     if (strategy_.caches) {
       REPRISE_TRY(buildVertex());
@@ -77,15 +78,26 @@ class RecipeBuilder {
       REPRISE_TRY(addModule("vertex", "vertex", program_.vertex_words));
     }
     for (const PassPlan& plan : plans_) REPRISE_TRY(addPass(plan));
-    if (static_cast<std::size_t>(attachments_) > kMostColorTargets)
-      return Error{ErrorKind::kRefused, "state.targets",
-                   fmt::format("'{}' needs {} colour targets for this shader; devices have {}", strategy_.name, attachments_, kMostColorTargets), {}};
-    recipe().requirements.color_attachments = attachments_;
     return std::move(built_);
   }
 
  private:
   Recipe& recipe() { return built_.recipe; }
+
+  // Before any module is made: frames are written for the targets that there can be.
+  Result<void> countTargets() {
+    int most = 1;
+    for (const PassPlan& plan : plans_) {
+      Pass pass;
+      attach(plan, pass);
+      for (const ColorAttachment& color : pass.colors) most = std::max(most, color.location + 1);
+    }
+    if (static_cast<std::size_t>(most) > kMostColorTargets)
+      return Error{ErrorKind::kRefused, "state.targets",
+                   fmt::format("'{}' needs {} colour targets for this shader; devices have {}", strategy_.name, most, kMostColorTargets), {}};
+    recipe().requirements.color_attachments = most;
+    return {};
+  }
 
   void describeVariant() {
     recipe().strategy = strategy_.name;
@@ -299,7 +311,7 @@ class RecipeBuilder {
     return buildFragment(plan, pass.fragment_module);
   }
 
-  void attach(const PassPlan& plan, Pass& pass) {
+  void attach(const PassPlan& plan, Pass& pass) const {
     if (plan.app_targets)
       for (std::size_t i = 0; i < program_.interface.outputs.size(); ++i)
         pass.colors.push_back({static_cast<int>(i), "", LoadOp::kClear, BlendKind::kReplace,
@@ -322,9 +334,6 @@ class RecipeBuilder {
         load = target == 0 ? LoadOp::kClear : LoadOp::kDontCare;
         add(keptTarget(target), BlendKind::kReplace);
       }
-    int used = 0;
-    for (const ColorAttachment& color : pass.colors) used = std::max(used, color.location + 1);
-    attachments_ = std::max(attachments_, used);
   }
 
   Result<void> addPass(const PassPlan& plan) {
@@ -371,7 +380,6 @@ class RecipeBuilder {
   KeptInputs kept_;  // of strategies that repair
   std::vector<ResourceFormat> kept_formats_;
   int cache_location_ = 1;
-  int attachments_ = 1;
   BuiltRecipe built_;
 };
 

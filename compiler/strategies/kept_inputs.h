@@ -26,7 +26,7 @@ enum class KeptScalar { kFloat, kInt, kUint };
 struct KeptInput {
   std::uint32_t variable = 0;  // id in the shader's module
   std::string layout;          // GLSL: "layout(location = 2, component = 1) flat in "
-  std::string type;            // "vec3", "int", "mat3"
+  std::string type;            // "vec3", "int", "mat2x3"
   KeptScalar scalar = KeptScalar::kFloat;
   int rows = 1, columns = 1;
 };

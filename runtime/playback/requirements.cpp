@@ -33,7 +33,7 @@ std::string missingState(const Recipe& recipe, const ApplicationPipeline& applic
   if (application.set_layouts.size() > recipe.reprise_set)
     return "descriptor set " + std::to_string(recipe.reprise_set) + " is taken by the application";
   if (recipe.requirements.shared_inputs && !application.draws_share_inputs)
-    return "the strategy needs all draws of a frame to share what the fragment shader reads, which the application does not say of them";
+    return "the strategy needs all draws of a frame to share what the fragment shader reads, which the application does not say (ApplicationPipeline::draws_share_inputs)";
   return "";
 }
 

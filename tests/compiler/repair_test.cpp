@@ -185,6 +185,19 @@ TEST(StrategyRepair, IsRefusedWhereItsTargetsAreTooMany) {
   EXPECT_EQ(refusalOf(pair), "state.targets");
 }
 
+// 32 inputs of four words: far more than there are targets for, and than the frames are written for.
+TEST(StrategyRepair, IsRefusedBeforeAFrameIsMadeForInputsBeyondAllTargets) {
+  Pair pair = kPlain;
+  for (int input = 2; input < 30; ++input) {
+    const std::string name = "more" + std::to_string(input), at = "layout(location = " + std::to_string(input) + ") ";
+    pair.inputs += at + "in vec4 " + name + ";\n";
+    pair.vertex_outputs += at + "out vec4 " + name + ";\n";
+    pair.vertex_code += " " + name + " = vec4(position, 0.5);";
+    pair.work += " + " + name;
+  }
+  EXPECT_EQ(refusalOf(pair), "state.targets");
+}
+
 TEST(LinkFrame, OlderModulesKnowStorageBuffersByAnExtension) {
   Module host = moduleOf("#version 450\nlayout(location = 0) out vec4 color;\nvoid main() { color = vec4(1.0); }\n");
   const Module frame = moduleOf("#version 450\nlayout(set = 0, binding = 0) buffer Tiles { uint flags[]; };\nvoid main() { flags[0] = 1u; }\n");

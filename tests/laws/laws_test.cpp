@@ -64,7 +64,9 @@ class Laws : public testing::TestWithParam<std::string> {
   // The counting copy may need more targets than there are.
   bool hasTargetsFor(const VariantOptions& options) const {
     const auto built = buildRecipe(scene_->subject().program, scene_->candidate(), options, scene_->subject().limits);
-    return built.ok() || built.error().code != "state.targets";
+    const bool has = built.ok() || built.error().code != "state.targets";
+    EXPECT_TRUE(has || options.strategy == "repair") << options.strategy << " is held to no law";
+    return has;
   }
 
   bool integerPayload() const { return isInteger(scene_->candidate().scalar); }

@@ -69,6 +69,12 @@ TEST_F(Requirement, FreeDescriptorSet) {
   expectOriginal(accumulatingPackage(), "descriptor set 0");
 }
 
+TEST_F(Requirement, TheApplicationsWordThatDrawsShareTheirInputs) {
+  Package package = accumulatingPackage();
+  package.variant.requirements.shared_inputs = true;
+  expectOriginal(package, "share what the fragment shader reads");
+}
+
 TEST_F(Requirement, AttachmentsOfTheDevice) {
   Package package = accumulatingPackage();
   package.variant.requirements.color_attachments = 1000;
