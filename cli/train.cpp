@@ -9,6 +9,7 @@
 
 #include "cli/fit.h"
 #include "cli/probe_candidates.h"
+#include "fitting/selection/pace.h"
 
 namespace reprise {
 namespace {
@@ -136,6 +137,23 @@ class Trainer {
     return longest;
   }
 
+  bool acceptsNever(const ErrorStudy& study) const {
+    const std::optional<double> never = neverError(study, options_.metric);
+    return never && *never <= options_.max_error;
+  }
+
+  bool isAcceptable(const ErrorStudy& study) const { return !study.rows.empty() && (longestPeriod(study) >= 2 || acceptsNever(study)); }
+
+  // Hits are told from misses by two hit rates: the shortest period, and the longest that the errors allow. Only periods whose hits
+  // were counted will do.
+  std::vector<std::uint32_t> timedPeriods(const ErrorStudy& study) const {
+    std::uint32_t shortest = kNeverRefresh;
+    for (const auto& [period, rows] : study.rows)
+      if (period > 1 && (shortest == kNeverRefresh || period < shortest)) shortest = period;
+    const std::uint32_t longest = acceptsNever(study) ? kNeverRefresh : std::max(shortest, longestPeriod(study));
+    return longest == shortest ? std::vector{shortest} : std::vector{shortest, longest};
+  }
+
   std::vector<std::string> usableStrategies() const {
     std::vector<std::string> names;
     for (const Strategy& strategy : strategies()) {
@@ -152,7 +170,7 @@ class Trainer {
     std::vector<StudyAndStrategy> wanted;
     std::size_t timed = 0;
     for (std::size_t study = 0; study < training_.errors.size(); ++study) {
-      if (training_.errors[study].rows.empty() || longestPeriod(training_.errors[study]) < 2) continue;
+      if (!isAcceptable(training_.errors[study])) continue;
       if (timed == options_.timed_candidates) {
         training_.not_reached.push_back("frame times of " + subject_.candidates[training_.errors[study].candidate].id + " (fewer candidates are timed than have an acceptable error)");
         continue;
@@ -206,10 +224,7 @@ class Trainer {
       }
       options.strategy = strategy;
       training_.costs.push_back({study, strategy, {}, {}, ""});
-      const std::uint32_t longest = std::max(2u, longestPeriod(errors));
-      std::vector<std::uint32_t> periods{2};
-      if (longest > 2) periods.push_back(longest);
-      for (const std::uint32_t period : periods)
+      for (const std::uint32_t period : timedPeriods(errors))
         REPRISE_TRY(addEntry(options, errors.candidate, {TimedEntry::Kind::kVariant, training_.costs.size() - 1, period}, plan,
                              &training_.costs.back().failure));
     }
@@ -221,12 +236,43 @@ class Trainer {
     progress_.begin(fmt::format("times: {} x {}", session, plan.requests.size()));
     REPRISE_ASSIGN(const std::vector<TimeSeries> series,
                    measureTimes(measuring_, {session, imagesOf(subject_.scenario, options_.rounds), false}, plan.requests));
-    const std::vector<TimedFrame> paired = fasterReference(plan.entries, series);
+    const std::vector<TimedFrame> reference = fasterReference(plan.entries, series);
+    const auto [first, is_first] = first_reference_.emplace(session, reference);
+    const Pace pace = is_first ? Pace{} : paceAgainst(first->second, reference);
     for (std::size_t i = 0; i < series.size(); ++i) {
-      keepTimes(session, plan.entries[i], series[i]);
-      if (plan.entries[i].kind == TimedEntry::Kind::kVariant) training_.costs[plan.entries[i].target].reference[session] = paired;
+      const TimedEntry& entry = plan.entries[i];
+      const bool is_reference = entry.kind == TimedEntry::Kind::kOriginal || entry.kind == TimedEntry::Kind::kPrepass;
+      if (is_reference && !is_first) continue;
+      keepTimes(session, entry, series[i], pace);
+      if (entry.kind == TimedEntry::Kind::kVariant) training_.costs[entry.target].reference[session] = atPace(reference, pace);
     }
     return {};
+  }
+
+  // How much longer the original took in a later run of a session than in the first.
+  struct Pace {
+    double clock = 1, wall = 1;
+  };
+
+  static Pace paceAgainst(const std::vector<TimedFrame>& first, const std::vector<TimedFrame>& later) {
+    const auto ratio = [&](double TimedFrame::*member) {
+      const auto medianTime = [&](const std::vector<TimedFrame>& frames) {
+        std::vector<double> times;
+        for (const TimedFrame& frame : frames) times.push_back(frame.*member);
+        return medianOf(std::move(times));
+      };
+      const double value = paceOf({medianTime(first), 1}, {medianTime(later), 1});
+      return std::isfinite(value) ? value : 1;
+    };
+    return {ratio(&TimedFrame::clock_ms), ratio(&TimedFrame::wall_ms)};
+  }
+
+  static std::vector<TimedFrame> atPace(std::vector<TimedFrame> frames, const Pace& pace) {
+    for (TimedFrame& frame : frames) {
+      frame.clock_ms /= pace.clock;
+      frame.wall_ms /= pace.wall;
+    }
+    return frames;
   }
 
   std::vector<TimedFrame> timedFrames(const TimeSeries& series) const {
@@ -246,8 +292,8 @@ class Trainer {
     return by_median.empty() ? std::vector<TimedFrame>{} : by_median.begin()->second;
   }
 
-  void keepTimes(const std::string& session, const TimedEntry& entry, const TimeSeries& series) {
-    const std::vector<TimedFrame> frames = timedFrames(series);
+  void keepTimes(const std::string& session, const TimedEntry& entry, const TimeSeries& series, const Pace& pace) {
+    const std::vector<TimedFrame> frames = atPace(timedFrames(series), pace);
     const auto append = [&](std::vector<TimedFrame>& to) { to.insert(to.end(), frames.begin(), frames.end()); };
     switch (entry.kind) {
       case TimedEntry::Kind::kOriginal: append(training_.original); break;
@@ -286,18 +332,28 @@ class Trainer {
       alternative([](VariantOptions& options) { options.pattern = PatternKind::kTiled; });
       alternative([](VariantOptions& options) { options.pattern = PatternKind::kRandom; });
     }
-    std::vector<std::uint32_t> periods;
-    std::uint32_t longest = 2;
-    for (const std::uint32_t period : studyPeriods()) longest = std::max(longest, period);
-    for (const std::uint32_t period : {std::min(best.period_frames, longest), longest})
-      if (period != kNeverRefresh && std::find(periods.begin(), periods.end(), period) == periods.end()) periods.push_back(period);
-    if (std::find(periods.begin(), periods.end(), 2u) == periods.end()) periods.insert(periods.begin(), 2u);
-    return study(first, periods, [&] {
+    return study(first, refinedPeriods(best.period_frames), [&] {
       std::vector<StudyAndStrategy> wanted;
       for (std::size_t study = first; study < training_.errors.size(); ++study)
-        if (!training_.errors[study].rows.empty() && longestPeriod(training_.errors[study]) >= 2) wanted.push_back({study, best_costs.strategy});
+        if (isAcceptable(training_.errors[study])) wanted.push_back({study, best_costs.strategy});
       return wanted;
     });
+  }
+
+  // The shortest and the longest studied period and the best so far.
+  std::vector<std::uint32_t> refinedPeriods(std::uint32_t best) const {
+    std::vector<std::uint32_t> finite;
+    for (const std::uint32_t period : studyPeriods())
+      if (period != kNeverRefresh) finite.push_back(period);
+    std::vector<std::uint32_t> periods;
+    if (!finite.empty()) {
+      const auto [shortest, longest] = std::minmax_element(finite.begin(), finite.end());
+      const std::uint32_t middle = best == kNeverRefresh ? *longest : std::min(best, *longest);
+      for (const std::uint32_t period : {*shortest, middle, *longest})
+        if (std::find(periods.begin(), periods.end(), period) == periods.end()) periods.push_back(period);
+    }
+    if (best == kNeverRefresh) periods.push_back(kNeverRefresh);
+    return periods;
   }
 
   const Subject& subject_;
@@ -306,6 +362,7 @@ class Trainer {
   const TrainOptions& options_;
   Progress& progress_;
   std::vector<std::string> sessions_;
+  std::map<std::string, std::vector<TimedFrame>> first_reference_;  // by session
   Training training_;
 };
 

@@ -3,11 +3,11 @@
 // The order of work, each step a prefix of the next larger run (law 9):
 //   1 probe     ranges of payload and depth, at a quarter of the resolution, for every candidate
 //   2 errors    of the first training session: every candidate in the base configuration (bilinear, rgba16f, interleaved 16), all periods
-//   3 costs     in the same session: the candidates whose error there allows a period of 2 or more, in every strategy that the state
-//               allows, at two periods, with the original, the original behind a prepass and the tail-only limit in the same run;
-//               then 2 and 3 for the next session
-//   4 refine    the fastest configuration so far with other filters, encodings and patterns: errors at its period and at the
-//               longest, then costs in its strategy, again session by session
+//   3 costs     in the same session: the candidates whose error there allows any period but 1, in every strategy that the state
+//               allows, at the shortest period and at the longest that the error allows, with the original, the original behind a
+//               prepass and the tail-only limit in the same run; then 2 and 3 for the next session
+//   4 refine    the fastest configuration so far with other filters, encodings and patterns: errors at its period, the shortest
+//               and the longest, then costs in its strategy, again session by session
 // The budget is looked at before each step of each session; what was not reached is said.
 #pragma once
 

@@ -29,7 +29,9 @@ struct TimedFrame {
 struct CostStudy {
   std::size_t error_study = 0;  // index into Training::errors
   std::string strategy;
-  std::map<std::uint32_t, std::map<std::string, std::vector<TimedFrame>>> frames;  // by period, then session
+  // By period, then session. Times of a session's later runs, and the reference beside them, are brought to the pace of its first
+  // run by what the original took in both; ratios are those that were measured.
+  std::map<std::uint32_t, std::map<std::string, std::vector<TimedFrame>>> frames;
   // By session: the faster of the original and the original with a prepass in the same rounds.
   std::map<std::string, std::vector<TimedFrame>> reference = {};
   std::string failure;
@@ -38,7 +40,7 @@ struct CostStudy {
 struct Training {
   std::vector<ErrorStudy> errors;
   std::vector<CostStudy> costs;
-  std::vector<TimedFrame> original, prepass;        // over all timed sessions
+  std::vector<TimedFrame> original, prepass;        // over the first runs of all timed sessions
   std::map<std::size_t, std::vector<TimedFrame>> limits;  // tail-only, by candidate
   std::map<std::size_t, ValueRanges> ranges;        // by candidate
   std::vector<std::string> warnings, not_reached;
