@@ -5,6 +5,7 @@
 
 #include "cli/train.h"
 #include "cli/version.h"
+#include "compiler/strategies/build_package.h"
 #include "runtime/base/file.h"
 #include "runtime/base/hash.h"
 

@@ -22,6 +22,7 @@
 #include "cli/version.h"
 #include "cli/workspace.h"
 #include "compiler/emit/emit.h"
+#include "fitting/selection/next_turn.h"
 #include "profiler/measurements/store.h"
 #include "profiler/metrics/metrics.h"
 #include "runtime/base/file.h"
@@ -146,13 +147,16 @@ struct Validated {
   const ValidationAttempt& shown() const { return accepted ? chosen() : attempts.back(); }
 };
 
-// In predicted order. The first that keeps the threshold and is faster is taken (law 7), unless it is much slower than predicted: then its
-// model was wrong, and the next ones get their turn as long as more is predicted of them than was measured.
+// In the order of nextTurn. The first that keeps the threshold and is faster is taken (law 7), unless it is much slower than predicted: then
+// its model was wrong, and the next ones get their turn as long as more is predicted of them than was measured.
 Result<Validated> validateInOrder(const Subject& subject, const Workspace& workspace, const Measuring& measuring, const Training& training,
                                   const FittedTraining& fitted, const Selection& selection, const TrainOptions& options, Progress& progress) {
   Validated validated;
-  for (const TradeoffPoint& point : selection.ranking) {
-    if (validated.attempts.size() == kMostAttempts) break;
+  std::vector<Turn> turns;
+  while (validated.attempts.size() < kMostAttempts) {
+    const std::optional<std::size_t> place = nextTurn(fitted.input.configurations, selection.ranking, turns);
+    if (!place) break;
+    const TradeoffPoint& point = selection.ranking[*place];
     if (validated.accepted) {
       const ValidationAttempt& best = validated.chosen();
       if (!worthAnother({best.point.predicted_speedup, best.run.binding.ratio}, point.predicted_speedup)) break;
@@ -171,6 +175,7 @@ Result<Validated> validateInOrder(const Subject& subject, const Workspace& works
     validated.attempts.push_back({point.configuration, point, std::move(run)});
     const ValidationAttempt& last = validated.attempts.back();
     progress.say(fmt::format("  {}", last.run.judgement.reason));
+    turns.push_back({*place, last.run.judgement.accepted, last.run.judgement.code == "judge.error"});
     if (last.run.judgement.accepted &&
         (!validated.accepted || last.run.binding.ratio > validated.chosen().run.binding.ratio))
       validated.accepted = validated.attempts.size() - 1;
@@ -298,6 +303,7 @@ Result<RunResult> optimize(const OptimizeArguments& arguments, Progress& progres
   for (const ModelSpec& model : subject.scenario.models)
     for (const std::string& warning : model.scene->warnings) result.warnings.push_back("model '" + model.name + "': " + warning);
   result.not_reached = training.not_reached;
+  for (const auto& [strategy, why] : training.strategies_refused) result.strategies_refused.push_back(strategy + ": " + why);
   for (const ValidationAttempt& attempt : validated.attempts) result.attempts.push_back(describeAttempt(fitted, attempt));
   if (validated.accepted) describeAccepted(subject, training, fitted, validated.chosen(), result);
   if (!validated.attempts.empty()) result.validation = describeSessions(validated.shown().run, arguments.metric);

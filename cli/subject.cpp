@@ -4,6 +4,7 @@
 
 #include "cli/standard_shaders.h"
 #include "compiler/source/compile.h"
+#include "compiler/strategies/build_package.h"
 #include "profiler/scenario/read_scenario.h"
 #include "profiler/scene/shared_inputs.h"
 #include "runtime/base/file.h"

@@ -8,6 +8,7 @@
 #include "compiler/strategies/build_recipe.h"
 #include "compiler/strategies/shader_program.h"
 #include "profiler/scenario/scenario.h"
+#include "runtime/package/package.h"
 
 namespace reprise {
 

@@ -154,17 +154,6 @@ class Trainer {
     return longest == shortest ? std::vector{shortest} : std::vector{shortest, longest};
   }
 
-  std::vector<std::string> usableStrategies() const {
-    std::vector<std::string> names;
-    for (const Strategy& strategy : strategies()) {
-      if (!strategy.selectable || (strategy.rejects_by_depth && !subject_.limits.strict_depth_with_writes) ||
-          (strategy.needs_stencil && !subject_.limits.stencil))
-        continue;
-      names.push_back(strategy.name);
-    }
-    return names;
-  }
-
   // None: the original's time is wanted also where no candidate is worth timing.
   std::vector<StudyAndStrategy> worthTiming() {
     std::vector<StudyAndStrategy> wanted;
@@ -176,7 +165,8 @@ class Trainer {
         continue;
       }
       ++timed;
-      for (const std::string& strategy : usableStrategies()) wanted.push_back({study, strategy});
+      for (const Strategy& strategy : strategies())
+        if (strategy.selectable) wanted.push_back({study, strategy.name});
     }
     return wanted;
   }
@@ -224,9 +214,10 @@ class Trainer {
       }
       options.strategy = strategy;
       training_.costs.push_back({study, strategy, {}, {}, ""});
+      std::string& refusal = training_.costs.back().failure;
       for (const std::uint32_t period : timedPeriods(errors))
-        REPRISE_TRY(addEntry(options, errors.candidate, {TimedEntry::Kind::kVariant, training_.costs.size() - 1, period}, plan,
-                             &training_.costs.back().failure));
+        REPRISE_TRY(addEntry(options, errors.candidate, {TimedEntry::Kind::kVariant, training_.costs.size() - 1, period}, plan, &refusal));
+      if (!refusal.empty()) training_.strategies_refused.emplace(strategy, refusal);
     }
     return plan;
   }
@@ -300,10 +291,17 @@ class Trainer {
       case TimedEntry::Kind::kPrepass: append(training_.prepass); break;
       case TimedEntry::Kind::kLimit: append(training_.limits[entry.target]); break;
       case TimedEntry::Kind::kVariant:
-        if (series.failure) training_.costs[entry.target].failure = series.failure->message;
+        if (series.failure) keepFailure(training_.costs[entry.target], series.failure->message);
         else training_.costs[entry.target].frames[entry.period][session] = frames;
         break;
     }
+  }
+
+  void keepFailure(CostStudy& costs, const std::string& message) {
+    if (!costs.failure.empty()) return;
+    costs.failure = message;
+    training_.warnings.push_back(fmt::format("{} in {} could not be timed: {}", subject_.candidates[training_.errors[costs.error_study].candidate].id,
+                                             costs.strategy, message));
   }
 
   Result<void> refine() {

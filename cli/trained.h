@@ -45,6 +45,7 @@ struct Training {
   std::map<std::size_t, ValueRanges> ranges;        // by candidate
   std::vector<std::string> warnings, not_reached;
   std::map<std::size_t, std::string> failed;        // candidate -> why
+  std::map<std::string, std::string> strategies_refused;  // by this shader or state: strategy -> why
 };
 
 // Error of a session's rows by metric: combined over the covered pixels of all frames from 2 x period on (from frame 2 on for

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "compiler/strategies/build_package.h"
 #include "runtime/base/hash.h"
 
 namespace reprise {

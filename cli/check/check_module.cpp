@@ -15,7 +15,7 @@
 #include "compiler/ir/optimize.h"
 #include "compiler/ir/reproducible.h"
 #include "compiler/source/validate.h"
-#include "compiler/strategies/build_recipe.h"
+#include "compiler/strategies/build_package.h"
 #include "compiler/strategies/registry.h"
 
 namespace reprise {

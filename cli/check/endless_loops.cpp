@@ -3,7 +3,7 @@
 #include "cli/check/frame_laws.h"
 #include "cli/check/harness_program.h"
 #include "compiler/ir/limit_loops.h"
-#include "compiler/strategies/build_recipe.h"
+#include "compiler/strategies/build_package.h"
 
 namespace reprise {
 namespace {

@@ -233,6 +233,7 @@ struct RunResult {
   std::vector<RunSession> validation;
   std::vector<std::string> warnings;
   std::vector<std::string> not_reached;  // what the budget left out, in words
+  std::vector<std::string> strategies_refused;  // "repair: the shader takes derivatives ..."
   std::vector<RunStage> seconds;         // in the order run
   RunImages images;
   std::string command;  // that repeats this run

@@ -141,7 +141,7 @@ void fields(A& a, RunResult& r) {
   a("device", r.device), a("clock", r.clock), a("shader", r.shader), a("scenario", r.scenario);
   a("threshold", r.threshold), a("choice", r.choice), a("original", r.original), a("limit", r.limit);
   a("candidates", r.candidates), a.later("front", r.front), a("attempts", r.attempts), a("validation", r.validation);
-  a("warnings", r.warnings), a("not_reached", r.not_reached), a.stages("seconds", r.seconds);
+  a("warnings", r.warnings), a("not_reached", r.not_reached), a.later("strategies_refused", r.strategies_refused), a.stages("seconds", r.seconds);
   a("images", r.images), a("command", r.command);
 }
 

@@ -229,6 +229,7 @@ std::string summaryText(const RunResult& result) {
   const auto asIs = [](const std::string& text) { return text; };
   list<std::string>(out, "Warnings", result.warnings, asIs);
   list<std::string>(out, "Not reached within the budget", result.not_reached, asIs);
+  list<std::string>(out, "Strategies that this shader or its state refuses", result.strategies_refused, asIs);
   return out;
 }
 

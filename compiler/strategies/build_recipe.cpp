@@ -7,6 +7,7 @@
 
 #include "compiler/ir/optimize.h"
 #include "compiler/source/validate.h"
+#include "compiler/strategies/frame_macros.h"
 #include "compiler/strategies/frame_source.h"
 #include "compiler/strategies/kept_inputs.h"
 #include "compiler/strategies/pair_passes.h"
@@ -33,18 +34,6 @@ int firstFreeOutput(const ShaderInterface& interface) {
   std::uint32_t free = 0;
   for (const FragmentOutput& output : interface.outputs) free = std::max(free, output.location + 1);
   return static_cast<int>(free);
-}
-
-// Nine digits give every float back.
-std::string vec4Text(const float* values) {
-  return fmt::format("vec4({:#.9g}, {:#.9g}, {:#.9g}, {:#.9g})", values[0], values[1], values[2], values[3]);
-}
-
-// A GLSL array with a vec4 for each target.
-std::string targetsText(const ChannelFloats& values, std::size_t targets) {
-  std::string text = "vec4[](";
-  for (std::size_t target = 0; target < targets; ++target) text += (target == 0 ? "" : ", ") + vec4Text(&values[4 * target]);
-  return text + ")";
 }
 
 std::vector<int> guardsOf(const Candidate& candidate) {
@@ -163,72 +152,9 @@ class RecipeBuilder {
   // The targets of a history: those of the payload, and its depth's.
   int cacheTargets() const { return static_cast<int>(targets()) + (layout_.depth_in_alpha ? 0 : 1); }
 
-  // A GLSL expression over `texel` and `reprise_wanted`: every guard that is wanted holds. Filtered guards are 1 where all taps
-  // had the value; the margin is for the rounding of filters.
-  std::string guardsText() const {
-    std::string text = "true";
-    for (const int guard : guards_)
-      text += fmt::format(" && ((reprise_wanted & {}u) == 0u || texel[{}].{} {})", 1u << guard, guard / 4, "xyzw"[guard % 4],
-                          layout_.integer ? "!= 0u" : ">= 0.998");
-    return text;
-  }
-
-  // What lies in the payload where a guarded value was not computed: in range, so that it may be stored, and 0 for guards.
-  std::string initialText() const {
-    if (layout_.integer) {
-      std::string text = "uvec4[](uvec4(0)";
-      for (std::size_t target = 1; target < targets(); ++target) text += ", uvec4(0)";
-      return text + ")";
-    }
-    ChannelFloats initial = built_.recipe.constants.free_payload;
-    for (const int guard : guards_) initial[static_cast<std::size_t>(guard)] = 0;
-    return targetsText(initial, targets());
-  }
-
-  using Macros = std::map<std::string, std::string>;
-
-  Macros macros() const {
-    const CacheConstants& constants = built_.recipe.constants;
-    const auto flag = [](bool set) { return std::string(set ? "1" : "0"); };
-    const auto number = [](auto value) { return std::to_string(value); };
-    return {{"REPRISE_SET", number(firstFreeSet(program_.interface))},
-            {"PREVIOUS_LOCATION", number(firstFreeVarying(program_.vertex, program_.fragment->module))},
-            {"CACHE_LOCATION", "0"},
-            {"COUNT_LOCATION", "0"},
-            {"KEPT_LOCATION", "0"},
-            {"TILE_PIXELS", number(kTilePixels)},
-            {"TILE_FLAGS_BINDING", number(kTileFlagsBinding)},
-            {"FRAG_COORD", "gl_FragCoord"},
-            {"STORES", "1"},
-            {"TARGETS", number(targets())},
-            {"LAST_CHANNELS", number(layout_.last_channels)},
-            {"GUARDED", flag(!guards_.empty())},
-            {"GUARDS_HOLD", guardsText()},
-            {"PAYLOAD_INITIAL", initialText()},
-            {"PAYLOAD_VEC", layout_.integer ? "uvec4" : "vec4"},
-            {"PAYLOAD_SAMPLER", layout_.integer ? "usampler2D" : "sampler2D"},
-            {"INTEGER", flag(layout_.integer)},
-            {"SIGNED", flag(candidate_.scalar == PayloadScalar::kInt)},
-            {"NARROW", flag(layout_.narrow)},
-            {"DEPTH_IN_ALPHA", flag(layout_.depth_in_alpha)},
-            {"AFFINE", flag(layout_.affine)},
-            {"KEEP_RAW", flag(strategy_.keeps_raw_payload)},
-            {"QUAD_UNIFORM", flag(program_.analysis.takes_derivatives)},
-            {"ORTHOGRAPHIC", flag(options_.orthographic)},
-            {"BILINEAR", flag(options_.filter == Filter::kBilinear)},
-            {"INSTRUMENTED", flag(options_.instrumented)},
-            {"POISONED", flag(options_.poisoned)},
-            {"BLOCK_SHIFT", number(std::countr_zero(options_.block_pixels))},
-            {"PATTERN_TILED", "0"},
-            {"PATTERN_RANDOM", "1"},
-            {"PATTERN_INTERLEAVED", "2"},
-            {"PATTERN_WHOLE", "3"},
-            {"PATTERN", number(static_cast<int>(options_.pattern))},
-            {"DEPTH_RANGE", vec4Text(constants.depth_range)},
-            {"TOLERANCE", vec4Text(constants.tolerance)},
-            {"PAYLOAD_SCALE", targetsText(constants.payload_scale, targets())},
-            {"PAYLOAD_OFFSET", targetsText(constants.payload_offset, targets())},
-            {"PAYLOAD_RANGE", vec4Text(constants.payload_range)}};
+  FrameMacros macros() const {
+    return frameMacros({program_, options_, layout_, built_.recipe.constants, guards_, candidate_.scalar, strategy_.keeps_raw_payload,
+                        built_.recipe.reprise_set});
   }
 
   Result<void> addModule(const std::string& name, const std::string& stage, const std::vector<std::uint32_t>& words) {
@@ -280,8 +206,8 @@ class RecipeBuilder {
   }
 
   // Outputs in order: the application's, the history's, the counts, what is kept.
-  Macros macrosOf(const PassPlan& plan) const {
-    Macros values = macros();
+  FrameMacros macrosOf(const PassPlan& plan) const {
+    FrameMacros values = macros();
     int location = plan.app_targets ? cache_location_ : 0;
     values["CACHE_LOCATION"] = std::to_string(location);
     values["STORES"] = plan.writes_cache ? "1" : "0";
@@ -393,32 +319,6 @@ Result<BuiltRecipe> buildRecipe(const ShaderProgram& program, const Candidate& c
   REPRISE_CHECK(std::has_single_bit(options.block_pixels) && options.block_pixels >= 2, options.block_pixels);
   if (auto refusal = refuseVariant(program, candidate, options, limits)) return *refusal;
   return RecipeBuilder(program, candidate, options, *strategy).build();
-}
-
-Result<Package> buildPackage(const ShaderProgram& program, const Candidate& candidate, const VariantOptions& options,
-                             const StateLimits& limits) {
-  VariantOptions original_options = options;
-  original_options.strategy = "original";
-  original_options.instrumented = false;
-  REPRISE_ASSIGN(BuiltRecipe original, buildRecipe(program, candidate, original_options, limits));
-  REPRISE_ASSIGN(BuiltRecipe variant, buildRecipe(program, candidate, options, limits));
-  Package package;
-  package.interface = program.interface;
-  package.original = std::move(original.recipe);
-  package.variant = std::move(variant.recipe);
-  package.modules = std::move(original.modules);
-  // Both have a module "vertex"; the original's is kept under a name of its own.
-  const auto rename = [](Recipe& recipe, std::map<std::string, std::vector<std::uint32_t>>& modules) {
-    const auto node = modules.extract("vertex");
-    modules["original_vertex"] = node.mapped();
-    for (ModuleEntry& entry : recipe.modules)
-      if (entry.name == "vertex") entry.name = "original_vertex";
-    for (Pass& pass : recipe.passes) pass.vertex_module = "original_vertex";
-  };
-  rename(package.original, package.modules);
-  if (!package.variant.uses_reprise_set) rename(package.variant, variant.modules);
-  package.modules.merge(variant.modules);
-  return package;
 }
 
 }  // namespace reprise

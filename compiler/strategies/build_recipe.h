@@ -10,7 +10,6 @@
 #include "compiler/strategies/cache_layout.h"
 #include "compiler/strategies/shader_program.h"
 #include "compiler/strategies/strategy.h"
-#include "runtime/package/package.h"
 #include "runtime/package/recipe.h"
 
 namespace reprise {
@@ -48,9 +47,5 @@ struct BuiltRecipe {
 // kRefused rewrite.invalid, so that a run goes on. `candidate` is not looked at by strategies that do not cache.
 Result<BuiltRecipe> buildRecipe(const ShaderProgram& program, const Candidate& candidate, const VariantOptions& options,
                                 const StateLimits& limits);
-
-// A package with this variant and the original beside it.
-Result<Package> buildPackage(const ShaderProgram& program, const Candidate& candidate, const VariantOptions& options,
-                             const StateLimits& limits);
 
 }  // namespace reprise

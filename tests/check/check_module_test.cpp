@@ -5,7 +5,7 @@
 
 #include "cli/check/frame_laws.h"
 #include "compiler/source/harness_vertex.h"
-#include "compiler/strategies/build_recipe.h"
+#include "compiler/strategies/build_package.h"
 #include "tests/e2e/run_command.h"
 
 namespace reprise {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "compiler/strategies/build_recipe.h"
+#include "runtime/package/package.h"
 #include "tests/compiler/analysed_shader.h"
 
 namespace reprise {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "compiler/source/validate.h"
-#include "compiler/strategies/build_recipe.h"
+#include "compiler/strategies/build_package.h"
 #include "runtime/package/package.h"
 #include "tests/compiler/analysed_shader.h"
 

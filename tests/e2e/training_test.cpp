@@ -49,6 +49,13 @@ TEST(Training, TimesTheShortestAndTheLongestAcceptablePeriod) {
   EXPECT_GT(timed, 0u);
 }
 
+TEST(Training, SaysWhichStrategiesAreRefused) {
+  const Result<RunResult> result = runWithPeriods("[1, 2]");
+  ASSERT_TRUE(result.ok()) << formatError(result.error());
+  const auto is_stencil = [](const std::string& text) { return text.starts_with("two_pass_stencil: "); };
+  EXPECT_EQ(std::count_if(result->strategies_refused.begin(), result->strategies_refused.end(), is_stencil), 1);
+}
+
 TEST(Training, TimesVariantsThatAreNeverRefreshedAlone) {
   const Result<RunResult> result = runWithPeriods("[1, \"never\"]");
   ASSERT_TRUE(result.ok()) << formatError(result.error());

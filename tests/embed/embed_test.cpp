@@ -13,7 +13,7 @@
 #include "compiler/candidates/enumerate.h"
 #include "compiler/emit/emit.h"
 #include "compiler/source/compile.h"
-#include "compiler/strategies/build_recipe.h"
+#include "compiler/strategies/build_package.h"
 #include "compiler/strategies/shader_program.h"
 #include "tests/e2e/run_command.h"
 

@@ -3,7 +3,7 @@
 #include "compiler/emit/emit.h"
 #include "compiler/source/compile.h"
 #include "compiler/source/harness_vertex.h"
-#include "compiler/strategies/build_recipe.h"
+#include "compiler/strategies/build_package.h"
 #include "runtime/base/file.h"
 
 namespace reprise {

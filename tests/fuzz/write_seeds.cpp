@@ -5,8 +5,9 @@
 #include <regex>
 
 #include "compiler/source/harness_vertex.h"
-#include "compiler/strategies/build_recipe.h"
+#include "compiler/strategies/build_package.h"
 #include "runtime/base/file.h"
+#include "tests/gltf/made_gltf.h"
 
 namespace {
 
@@ -147,6 +148,8 @@ class SeedWriter {
     if (shader.stage == ShaderStage::kFragment) variants(shader);
   }
 
+  void model(const MadeParts& parts) { write("gltf_reader", madeGltf(parts).dump()); }
+
   void scenario(const std::string& text) {
     write("scenario_reader", std::regex_replace(std::regex_replace(text, std::regex(R"("[^"]*\.frag")"), "\"a.frag\""),
                                          std::regex(R"("[^"]*\.vert")"), "\"a.vert\""));
@@ -201,6 +204,8 @@ int main(int count, char** arguments) {
   SeedWriter seeds(arguments[1]);
   for (const char* text : kFragments) seeds.shader(compileText(text, "seed.frag", {}).value());
   seeds.scenario(kScenario);
+  for (const char* interpolation : {"LINEAR", "STEP", "CUBICSPLINE"}) seeds.model({true, true, true, interpolation, 2});
+  seeds.model({false, false, false, "LINEAR", 0});
   for (const auto& entry : fs::recursive_directory_iterator(fs::path(REPRISE_SOURCE_DIR) / "shaders")) {
     const std::string extension = entry.path().extension().string();
     if (extension == ".frag" || extension == ".vert") seeds.shader(compile(entry.path(), {}).value());

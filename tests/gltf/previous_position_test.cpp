@@ -11,6 +11,7 @@
 
 #include "cli/subject.h"
 #include "cli/train.h"
+#include "compiler/strategies/build_package.h"
 #include "profiler/scenario/read_models.h"
 #include "profiler/session/scene_renderer.h"
 #include "runtime/vulkan/commands.h"

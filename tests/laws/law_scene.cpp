@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "compiler/ir/reproducible.h"
+#include "compiler/strategies/build_package.h"
 
 namespace reprise {
 

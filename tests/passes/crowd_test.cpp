@@ -4,6 +4,7 @@
 
 #include "cli/subject.h"
 #include "cli/train.h"
+#include "compiler/strategies/build_package.h"
 #include "profiler/session/job.h"
 #include "tests/e2e/run_command.h"
 

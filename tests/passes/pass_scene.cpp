@@ -1,5 +1,6 @@
 #include "tests/passes/pass_scene.h"
 
+#include "compiler/strategies/build_package.h"
 #include "runtime/vulkan/readback.h"
 
 namespace reprise {

@@ -224,6 +224,7 @@ RunResult common() {
   for (const Recipe& recipe : trainedRecipes()) run.candidates.push_back(trained(recipe, seed++));
   addDropped(run);
   addValidation(run);
+  run.strategies_refused = {"two_pass_stencil: the application's state has no stencil"};
   run.not_reached = {"1 of 10 candidates worth training (octaves[4..19])", "periods 32 and 64 of three_pass"};
   run.limit = {21.4, "c2"};
   run.attempts = {{"c2", "two_pass, tiled 16×16, bilinear, rgba8", 64, 0.0226, 3.29, RunInterval{3.2, 3.38},
@@ -298,6 +299,7 @@ RunResult hostileRun() {
   run.scenario.name = run.scenario.path = run.shader.fragment = run.device.name = run.command = bad;
   run.warnings.push_back(bad);
   run.not_reached.push_back(bad);
+  run.strategies_refused.push_back(bad);
   run.choice.reason = bad;
   for (RunPayloadValue& value : run.choice.payload) value.name = value.file = value.type = bad;
   for (RunCandidate& candidate : run.candidates) {

@@ -4,6 +4,7 @@
 
 #include "compiler/candidates/enumerate.h"
 #include "compiler/source/compile.h"
+#include "compiler/strategies/build_package.h"
 #include "profiler/scenario/read_scenario.h"
 
 namespace reprise {

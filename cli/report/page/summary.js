@@ -133,6 +133,7 @@ function drawFacts(run) {
     ['Fragment shader', shader.fragment && [code(shader.fragment), shader.hash && html('div', { class: 'sub' }, code(shader.hash))]],
     ['Vertex shader', code(shader.vertex)],
     ['Threshold', `${formatTick(run.threshold.value)} ${run.threshold.metric}`],
+    ['Strategies refused', (run.strategies_refused || []).map((text) => html('div', {}, text))],
     ['Finished', run.finished_at || ''],
     ['Reprise', run.tool_version],
     ['Repeat with', run.command ? html('code', { class: 'command' }, run.command.split(' ').flatMap((word) => [html('span', { class: 'token' }, word), ' '])) : ''],
