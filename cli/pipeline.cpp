@@ -11,6 +11,7 @@
 #include "cli/describe_run.h"
 #include "cli/device_lock.h"
 #include "cli/evidence_pictures.h"
+#include "cli/explain_original.h"
 #include "cli/fit.h"
 #include "cli/model_scenario.h"
 #include "cli/package_of_choice.h"
@@ -228,7 +229,7 @@ void addWarnings(const Subject& subject, const Selection& selection, const Fitte
   for (std::string& warning : fitWarnings(result)) result.warnings.push_back(std::move(warning));
 }
 
-void describeOriginal(const Training& training, const FittedTraining& fitted, const Selection& selection, const Validated& validated, RunResult& result) {
+void describeOriginal(const Training& training, const Selection& selection, const Validated& validated, RunResult& result) {
   std::vector<double> clock, wall, prepass;
   for (const TimedFrame& frame : training.original) clock.push_back(frame.clock_ms), wall.push_back(frame.wall_ms);
   for (const TimedFrame& frame : training.prepass) prepass.push_back(frame.clock_ms);
@@ -240,15 +241,7 @@ void describeOriginal(const Training& training, const FittedTraining& fitted, co
   }
   if (validated.accepted) return;
   result.choice.kind = ChoiceKind::kOriginal;
-  if (fitted.input.configurations.empty() && !training.not_reached.empty()) {
-    result.choice.reason = "the budget ended before any variant was measured whole; a larger --budget may find one";
-  } else if (fitted.input.configurations.empty() && selection.original_reason.empty()) {
-    result.choice.reason = "no value of the shader is worth caching under the threshold";
-  } else if (validated.attempts.empty()) {
-    result.choice.reason = selection.original_reason;
-  } else {
-    result.choice.reason = "no variant kept its promise in validation; the last one: " + validated.attempts.back().run.judgement.reason;
-  }
+  result.choice.reason = explainOriginal(result, selection);
 }
 
 // A model that comes alone gets a scenario of its own, in the workspace.
@@ -307,7 +300,7 @@ Result<RunResult> optimize(const OptimizeArguments& arguments, Progress& progres
   for (const ValidationAttempt& attempt : validated.attempts) result.attempts.push_back(describeAttempt(fitted, attempt));
   if (validated.accepted) describeAccepted(subject, training, fitted, validated.chosen(), result);
   if (!validated.attempts.empty()) result.validation = describeSessions(validated.shown().run, arguments.metric);
-  describeOriginal(training, fitted, selection, validated, result);
+  describeOriginal(training, selection, validated, result);
   addWarnings(subject, selection, fitted, result);
   REPRISE_ASSIGN(const RunEvidence evidence, gatherEvidence({subject, workspace, bench.measuring, training, fitted}, selection, validated, result));
   const std::optional<ChosenVariant> chosen = chosenVariant(subject, training, fitted, validated);

@@ -21,6 +21,8 @@ std::vector<std::string> trainingSessions(const Scenario& scenario) {
   return names;
 }
 
+constexpr double kErrorShare = 0.3;  // of the budget: beyond it only the errors of what will be timed are measured
+
 class Trainer {
  public:
   Trainer(const Subject& subject, const Workspace& workspace, const Measuring& measuring, const TrainOptions& options, Progress& progress)
@@ -78,12 +80,20 @@ class Trainer {
   };
 
   // Session by session the errors of all studies from `first` on, then the frame times of those that `chosen` names once the first
-  // session's errors are known: a budget that ends early leaves whole sessions, of which each can be fitted.
+  // session's errors are known: a budget that ends early leaves whole sessions, of which each can be fitted. Studies beyond as many as are
+  // timed are left out where the others' errors alone took a good part of the budget.
   Result<void> study(std::size_t first, const std::vector<std::uint32_t>& periods, const std::function<std::vector<StudyAndStrategy>()>& chosen) {
-    REPRISE_ASSIGN(const ErrorPlan errors, planErrors(first, periods));
+    const std::size_t studies = training_.errors.size(), leading = first > 0 ? studies : std::min(studies, options_.timed_candidates);
+    REPRISE_ASSIGN(const ErrorPlan errors, planErrors(first, leading, periods));
+    REPRISE_ASSIGN(ErrorPlan others, planErrors(leading, studies, periods));
     std::optional<TimePlan> times;
     for (const std::string& session : sessions_) {
       REPRISE_TRY(measureErrorsOf(session, errors));
+      if (options_.budget_s > 0 && progress_.elapsedSeconds() > kErrorShare * options_.budget_s && !others.requests.empty()) {
+        training_.not_reached.push_back(fmt::format("errors of {} further variants in session '{}'", others.requests.size(), session));
+        others = {};
+      }
+      REPRISE_TRY(measureErrorsOf(session, others));
       if (!times) {
         REPRISE_ASSIGN(times, planTimes(chosen()));
         if (first > 0 && times->variants == 0) return {};
@@ -93,9 +103,9 @@ class Trainer {
     return {};
   }
 
-  Result<ErrorPlan> planErrors(std::size_t first, const std::vector<std::uint32_t>& periods) {
+  Result<ErrorPlan> planErrors(std::size_t first, std::size_t end, const std::vector<std::uint32_t>& periods) {
     ErrorPlan plan;
-    for (std::size_t study = first; study < training_.errors.size(); ++study) {
+    for (std::size_t study = first; study < end; ++study) {
       ErrorStudy& errors = training_.errors[study];
       const Result<StoredVariant> variant =
           storeVariant(workspace_, subject_.program, subject_.candidates[errors.candidate], errors.options, subject_.limits);

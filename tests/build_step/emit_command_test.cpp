@@ -161,6 +161,14 @@ TEST_F(Emit, SweepsAwayWhatKilledProcessesLeftAside) {
 }
 
 // A run's own package and the one made of its choice, whatever was chosen.
+// The marble's choice lies beside it for builds and benchmarks; it must hold as long as the marble and the analysis do.
+TEST_F(Emit, FindsTheCommittedMarblesPayload) {
+  const std::string marble = std::string(REPRISE_SOURCE_DIR) + "/shaders/marble/marble20";
+  const CommandOutcome outcome = runCommand({REPRISE_EXECUTABLE, "emit", marble + ".toml", "--choice", marble + ".choice.json", "-o", output()});
+  EXPECT_EQ(outcome.status, 0) << outcome.all();
+  EXPECT_NE(textOf(output() / "manifest.json").find("\"vein\""), std::string::npos);
+}
+
 TEST_F(Emit, EqualsWhatOptimizeWrote) {
   const fs::path run = folder_ / "run";
   const CommandOutcome optimized = runCommand({REPRISE_EXECUTABLE, "optimize", shaders() / "granite.toml", "--max-error", "0.03", "--budget", "5s",
