@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "cli/report/wrap_text.h"
+
 namespace reprise {
 namespace {
 
@@ -14,6 +16,12 @@ constexpr auto kRedraw = std::chrono::milliseconds(150);
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void putWrapped(const std::string& head, const std::string& text) {
+  std::string lines;
+  wrap(lines, head, text);
+  std::fputs(lines.c_str(), stderr);
 }
 
 }  // namespace
@@ -31,7 +39,7 @@ void Progress::begin(const std::string& step) {
   step_ = step;
   step_started_ = std::chrono::steady_clock::now();
   drawn_ = {};
-  if (style_ == ProgressStyle::kLines) std::fputs(fmt::format("[{:6.1f} s] {}\n", elapsedSeconds(), step).c_str(), stderr);
+  if (style_ == ProgressStyle::kLines) putWrapped(fmt::format("[{:6.1f} s] ", elapsedSeconds()), step);
 }
 
 void Progress::update(int done, int total) {
@@ -51,7 +59,8 @@ void Progress::update(int done, int total) {
 void Progress::say(const std::string& line) {
   if (style_ == ProgressStyle::kQuiet) return;
   clearBar();
-  std::fputs((line + "\n").c_str(), stderr);
+  const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
+  putWrapped(std::string(indent, ' '), line.substr(indent));
 }
 
 ProgressStyle progressStyle(bool quiet) {

@@ -16,7 +16,7 @@ class Progress {
   // A new step; its share of the run is not known beforehand, so time left is estimated within the step.
   void begin(const std::string& step);
   void update(int done, int total);
-  // A line that stays.
+  // A line that stays, wrapped at 80 columns like all lines; what it begins with spaces goes on with as many.
   void say(const std::string& line);
   double elapsedSeconds() const;
 

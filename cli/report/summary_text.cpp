@@ -2,60 +2,16 @@
 #include <functional>
 
 #include "cli/report/text.h"
+#include "cli/report/wrap_text.h"
 
 namespace reprise {
 namespace {
 
-constexpr std::size_t kColumns = 80;
 constexpr std::size_t kLabelColumns = 15;
-
-std::size_t columnsOf(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-// The bytes of the first `columns` code points.
-std::size_t bytesOfColumns(const std::string& text, std::size_t columns) {
-  std::size_t at = 0;
-  while (at < text.size()) {
-    if ((text[at] & 0xC0) != 0x80 && columns-- == 0) break;
-    ++at;
-  }
-  return at;
-}
 
 std::string padded(const std::string& text, std::size_t columns) {
   if (columnsOf(text) > columns) return text.substr(0, bytesOfColumns(text, columns - 2)) + "..";
   return text + std::string(columns - columnsOf(text), ' ');
-}
-
-// Appends `text` wrapped at kColumns; the first line starts with `head`, the others with as many spaces.
-void wrap(std::string& out, const std::string& head, const std::string& text) {
-  const std::string indent(columnsOf(head), ' ');
-  std::string line = head;
-  bool line_empty = true;
-  const auto flush = [&] {
-    out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-    line = indent;
-    line_empty = true;
-  };
-  std::string rest = printable(text);
-  while (!rest.empty()) {
-    const std::size_t word_end = std::min(rest.find(' '), rest.size());
-    std::string word = rest.substr(0, word_end);
-    rest.erase(0, word_end + (word_end < rest.size() ? 1 : 0));
-    if (!line_empty && columnsOf(line) + 1 + columnsOf(word) > kColumns) flush();
-    if (!line_empty) line += ' ';
-    while (columnsOf(line) + columnsOf(word) > kColumns) {
-      const std::size_t fitting = bytesOfColumns(word, kColumns - columnsOf(line));
-      line += word.substr(0, fitting);
-      word.erase(0, fitting);
-      flush();
-    }
-    line += word;
-    line_empty = false;
-  }
-  flush();
 }
 
 void fact(std::string& out, const std::string& label, const std::string& text) {

@@ -11,6 +11,15 @@
 namespace reprise {
 namespace {
 
+std::size_t longestLine(const std::string& text) {
+  std::size_t longest = 0, columns = 0;
+  for (const char letter : text) {
+    if (letter == '\n') columns = 0;
+    else if ((letter & 0xC0) != 0x80) longest = std::max(longest, ++columns);
+  }
+  return longest;
+}
+
 // Every error is allowed, so that all candidates are timed.
 Result<RunResult> runWithPeriods(const std::string& periods) {
   const SmallScenario scenario;
@@ -20,6 +29,8 @@ Result<RunResult> runWithPeriods(const std::string& periods) {
   if (threshold != command.words.end()) *(threshold + 1) = "1";
   const CommandOutcome outcome = runCommand(command);
   EXPECT_EQ(outcome.status, kExitDone) << outcome.all();
+  EXPECT_LE(longestLine(outcome.output), 80u) << outcome.output;
+  EXPECT_LE(longestLine(outcome.errors), 80u) << outcome.errors;
   return resultFromJson(textOf(scenario.output() / "result.json"));
 }
 
