@@ -160,6 +160,27 @@ TEST_F(ReportInBrowser, HoldsTheCandidateOfAPlotPointThatIsClicked) {
   EXPECT_GE(clicked, 2u);
 }
 
+TEST_F(ReportInBrowser, UnfoldsShortListsOnPaperAndLeavesLongOnesFolded) {
+  RunResult run = sample::variantRun();
+  RunCandidate dropped;
+  dropped.status = CandidateStatus::kRefused;
+  dropped.reason = {"candidate.state", "it decides what is drawn"};
+  for (int i = 0; i < 2; ++i) dropped.id = dropped.name = "refused" + std::to_string(i), run.candidates.push_back(dropped);
+  dropped.status = CandidateStatus::kPruned;
+  for (int i = 0; i < 60; ++i) dropped.id = dropped.name = "pruned" + std::to_string(i), run.candidates.push_back(dropped);
+  const OpenedPage page = open(run, {}, R"js(
+    window.dispatchEvent(new Event('beforeprint'));
+    const lists = [...document.querySelectorAll('#candidates-dropped details')];
+    document.title = [true, false].map((open) => lists.filter((list) => list.open === open && (list.querySelectorAll('.dropped tr').length > 24) !== open).length).join(' ');
+  )js");
+  EXPECT_EQ(page.console, "");
+  std::istringstream counts(page.dom.substr(page.dom.find("<title>") + 7));
+  int unfolded = 0, folded = 0;
+  counts >> unfolded >> folded;
+  EXPECT_GE(unfolded, 1);
+  EXPECT_EQ(folded, 1);
+}
+
 // Without this, a console that nobody hears would let every test above pass.
 TEST_F(ReportInBrowser, WouldSeeAnErrorOnTheConsole) {
   EXPECT_NE(open(sample::variantRun(), {}, "console.error('planted');").console.find("planted"),

@@ -21,9 +21,11 @@ function drawPage() {
   document.documentElement.dataset.drawn = 'yes';
 }
 
-// Folded lists are unfolded on paper.
+const kMostPrintedRows = 24;
+
+// Folded lists are unfolded on paper, unless they would fill pages: their heading says how many they are, result.json has them.
 window.addEventListener('beforeprint', () => {
-  for (const details of document.querySelectorAll('details')) details.open = true;
+  for (const details of document.querySelectorAll('details')) details.open = details.querySelectorAll('.dropped tr').length <= kMostPrintedRows;
 });
 
 drawPage();
