@@ -168,6 +168,7 @@ Result<Regret> measureRegret(const RegretPlan& plan) {
   Search search(plan, subject, workspace, result);
   Regret regret;
   regret.best = "the choice";
+  regret.best_error = result.choice.measured_error.value_or(0);  // the original has none
   double least = 1;
   for (std::size_t candidate = 0; candidate < std::min(kCandidates, subject.candidates.size()); ++candidate) {
     if (!subject.candidates[candidate].kept()) break;

@@ -155,7 +155,7 @@ Result<Validated> validateInOrder(const Subject& subject, const Workspace& works
   Validated validated;
   std::vector<Turn> turns;
   while (validated.attempts.size() < kMostAttempts) {
-    const std::optional<std::size_t> place = nextTurn(fitted.input.configurations, selection.ranking, turns);
+    const std::optional<std::size_t> place = nextTurn({fitted.input.configurations, selection.ranking, options.max_error}, turns);
     if (!place) break;
     const TradeoffPoint& point = selection.ranking[*place];
     if (validated.accepted) {
@@ -176,7 +176,8 @@ Result<Validated> validateInOrder(const Subject& subject, const Workspace& works
     validated.attempts.push_back({point.configuration, point, std::move(run)});
     const ValidationAttempt& last = validated.attempts.back();
     progress.say(fmt::format("  {}", last.run.judgement.reason));
-    turns.push_back({*place, last.run.judgement.accepted, last.run.judgement.code == "judge.error"});
+    const std::optional<double> too_large = last.run.judgement.code == "judge.error" ? std::optional(last.run.worst_session_error) : std::nullopt;
+    turns.push_back({*place, last.run.judgement.accepted, too_large});
     if (last.run.judgement.accepted &&
         (!validated.accepted || last.run.binding.ratio > validated.chosen().run.binding.ratio))
       validated.accepted = validated.attempts.size() - 1;

@@ -81,7 +81,7 @@ class Trainer {
 
   // Session by session the errors of all studies from `first` on, then the frame times of those that `chosen` names once the first
   // session's errors are known: a budget that ends early leaves whole sessions, of which each can be fitted. Studies beyond as many as are
-  // timed are left out where the others' errors alone took a good part of the budget.
+  // timed are left out of all sessions where the others' errors in the first one took a good part of the budget.
   Result<void> study(std::size_t first, const std::vector<std::uint32_t>& periods, const std::function<std::vector<StudyAndStrategy>()>& chosen) {
     const std::size_t studies = training_.errors.size(), leading = first > 0 ? studies : std::min(studies, options_.timed_candidates);
     REPRISE_ASSIGN(const ErrorPlan errors, planErrors(first, leading, periods));
@@ -89,8 +89,8 @@ class Trainer {
     std::optional<TimePlan> times;
     for (const std::string& session : sessions_) {
       REPRISE_TRY(measureErrorsOf(session, errors));
-      if (options_.budget_s > 0 && progress_.elapsedSeconds() > kErrorShare * options_.budget_s && !others.requests.empty()) {
-        training_.not_reached.push_back(fmt::format("errors of {} further variants in session '{}'", others.requests.size(), session));
+      if (!times && options_.budget_s > 0 && progress_.elapsedSeconds() > kErrorShare * options_.budget_s && !others.requests.empty()) {
+        training_.not_reached.push_back(fmt::format("errors of {} further variants", others.requests.size()));
         others = {};
       }
       REPRISE_TRY(measureErrorsOf(session, others));

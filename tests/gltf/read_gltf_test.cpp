@@ -89,23 +89,13 @@ TEST(ReadGltf, RefusesWhatIsNoGltf) {
 TEST(ReadGltf, FindsFilesBesideItWhoseNamesArePercentEncoded) {
   const ModelFolder folder;
   json document = madeGltf({});
-  const std::string uri = document["buffers"][0]["uri"];
-  const Result<GltfScene> within = readGltf(folder.write("within.gltf", document.dump()));
-  ASSERT_TRUE(within.ok()) << within.error().message;
-  std::string bytes;
-  unsigned word = 0, bits = 0;
-  for (const char letter : uri.substr(uri.find(',') + 1)) {
-    static const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    if (letter == '=') break;
-    word = word << 6 | static_cast<unsigned>(digits.find(letter));
-    if ((bits += 6) >= 8) bytes += static_cast<char>(word >> (bits -= 8) & 0xff);
-  }
-  folder.write("two words.bin", bytes);
+  // All positions in one place, all indices 0: what matters is that the file is found. Times of keys must not be all the same.
+  document["animations"] = json::array();
+  folder.write("two words.bin", std::string(document["buffers"][0]["byteLength"].get<std::size_t>(), '\0'));
   document["buffers"][0]["uri"] = "two%20words.bin";
   const Result<GltfScene> beside = readGltf(folder.write("beside.gltf", document.dump()));
   ASSERT_TRUE(beside.ok()) << beside.error().message;
   EXPECT_EQ(beside->files, std::vector<std::string>{"two words.bin"});
-  EXPECT_EQ(beside->meshes[0].primitives[0].indices, within->meshes[0].primitives[0].indices);
 }
 
 TEST(ReadGltf, SurvivesEveryTruncation) {
