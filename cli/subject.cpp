@@ -95,6 +95,7 @@ Result<Subject> readSubjectUnranked(const std::filesystem::path& scenario_file) 
   subject.limits.strict_depth_with_writes =
       scenario.state.compare == DepthCompare::kLess || scenario.state.compare == DepthCompare::kGreater;
   subject.limits.stencil = scenario.state.depth_stencil;
+  subject.limits.several_draws = scenario.objects.size() > 1;
   subject.limits.shared_inputs = drawsShareInputs(scenario, subject.program.interface);
   subject.orthographic = scenario.sessions.front().camera.orthographic;
   for (const SessionSpec& session : scenario.sessions)

@@ -102,7 +102,10 @@ class RecipeBuilder {
     recipe().requirements.depth_less_or_greater = strategy_.rejects_by_depth;
     recipe().requirements.stencil = strategy_.needs_stencil;
     recipe().requirements.independent_blend = options_.instrumented && strategy_.caches;
-    recipe().flags_tiles = recipe().requirements.fragment_stores = recipe().requirements.shared_inputs = repairs(strategy_);
+    recipe().flags = repairs(strategy_) ? MissFlagging::kTiles : flagsDraws(strategy_) ? MissFlagging::kDraws : MissFlagging::kNone;
+    recipe().requirements.fragment_stores = recipe().flags != MissFlagging::kNone;
+    recipe().requirements.shared_inputs = recipe().flags == MissFlagging::kTiles;
+    recipe().requirements.conditional_rendering = recipe().flags == MissFlagging::kDraws;
     if (!strategy_.caches) return;
     recipe().requirements.linear_filter = options_.filter == Filter::kBilinear;
     recipe().constants = encodingConstants(layout_, options_.encoding, options_.filter, options_.ranges, guards_);
@@ -215,6 +218,7 @@ class RecipeBuilder {
     values["COUNT_LOCATION"] = std::to_string(location);
     if (plan.counts && options_.instrumented) location += kCountTargets;
     values["KEPT_LOCATION"] = std::to_string(location);
+    if (plan.flags_draws) values["FLAGS_DRAWS"] = "1";
     if (plan.kind == PassKind::kTiles) values["FRAG_COORD"] = "reprise_frag_coord";
     if (repairs(strategy_))
       for (const auto& [macro, text] : keptMacros(kept_)) values[macro] = text;
@@ -243,8 +247,7 @@ class RecipeBuilder {
         pass.colors.push_back({static_cast<int>(i), "", LoadOp::kClear, BlendKind::kReplace,
                                static_cast<int>(program_.interface.outputs[i].location)});
     int location = plan.app_targets ? cache_location_ : 0;
-    // Tiles are drawn over what an earlier rendering has written.
-    LoadOp load = plan.kind == PassKind::kTiles ? LoadOp::kLoad : LoadOp::kClear;
+    LoadOp load = completesEarlierRendering(plan) ? LoadOp::kLoad : LoadOp::kClear;
     const auto add = [&](const std::string& resource, BlendKind blend) { pass.colors.push_back({-1, resource, load, blend, location++}); };
     if (plan.writes_cache) {
       for (std::size_t target = 0; target < targets(); ++target) add(payloadTarget(target), BlendKind::kReplace);
@@ -262,6 +265,13 @@ class RecipeBuilder {
       }
   }
 
+  // Whether the history that the pass writes, or what it counts, has been begun by another rendering of its frame.
+  bool completesEarlierRendering(const PassPlan& plan) const {
+    return std::any_of(plans_.begin(), plans_.end(), [&](const PassPlan& earlier) {
+      return earlier.rendering < plan.rendering && earlier.counts && earlier.frames == plan.frames;
+    });
+  }
+
   Result<void> addPass(const PassPlan& plan) {
     Pass pass;
     pass.name = plan.name;
@@ -275,9 +285,10 @@ class RecipeBuilder {
     pass.depth_clear = plan.depth_clear;
     pass.depth = plan.depth;
     pass.stencil = plan.stencil;
-    // Without history nothing can hit; what is kept for a repair is kept in all frames.
-    const bool only_hits = plan.reads_history && plan.bodies.hit && !plan.bodies.miss && !plan.keeps_inputs;
+    // Without history nothing can hit; what a later pass is told of misses it is told in all frames.
+    const bool only_hits = plan.reads_history && plan.bodies.hit && !plan.bodies.miss && !plan.keeps_inputs && !plan.flags_draws;
     pass.frames = only_hits ? PassFrames::kNotWhollyDue : plan.frames;
+    pass.objects = plan.objects;
     REPRISE_TRY(chooseFragment(plan, pass));
     attach(plan, pass);
     const auto read = [&](const std::string& resource, Filter filter) {

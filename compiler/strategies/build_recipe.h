@@ -33,6 +33,7 @@ struct StateLimits {
   bool strict_depth_with_writes = true;  // LESS or GREATER
   bool stencil = false;
   bool shared_inputs = false;  // what the fragment shader reads besides varyings is the same for all draws of a frame
+  bool several_draws = true;   // a frame has more than one
 };
 
 struct BuiltRecipe {
@@ -41,7 +42,7 @@ struct BuiltRecipe {
 };
 
 // Errors (kRefused): shader.*, vertex.*, variable.use (see the transforms); state.depth_compare, state.no_stencil,
-// state.targets, state.early_tests, state.computed_depth, state.shared_inputs; repair.derivatives, repair.discards, repair.input;
+// state.targets, state.early_tests, state.computed_depth, state.shared_inputs, state.one_draw; repair.derivatives, repair.discards, repair.input;
 // filter.integer (an integer payload with another filter than
 // nearest); strategy.unknown (kInput). Every module has passed the validator: one that does not is our bug and reported as
 // kRefused rewrite.invalid, so that a run goes on. `candidate` is not looked at by strategies that do not cache.

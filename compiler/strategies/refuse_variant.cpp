@@ -14,7 +14,7 @@ bool testsEarly(const ShaderProgram& program) {
   return std::any_of(modes.begin(), modes.end(), isEarlyTests);
 }
 
-std::optional<Error> refuseDepth(const Strategy& strategy, const ShaderProgram& program, const StateLimits& limits) {
+std::optional<Error> refuseState(const Strategy& strategy, const ShaderProgram& program, const StateLimits& limits) {
   if (strategy.passes.size() > 1 && testsEarly(program) && decidesDepth(program))
     return refused("state.early_tests", "'" + strategy.name +
                                             "' tells hits from misses by discarding, which early_fragment_tests makes too late for this shader");
@@ -25,6 +25,8 @@ std::optional<Error> refuseDepth(const Strategy& strategy, const ShaderProgram& 
                                                "' needs equal depths in several passes, which drivers need not compute for a shader that writes depth");
   if (strategy.rejects_by_depth && !limits.strict_depth_with_writes)
     return refused("state.depth_compare", "'" + strategy.name + "' tells hits from misses by depth and needs a LESS or GREATER test with writes");
+  if (flagsDraws(strategy) && !limits.several_draws)
+    return refused("state.one_draw", "'" + strategy.name + "' leaves out objects without misses, and there is only one object");
   if (strategy.needs_stencil && !limits.stencil)
     return refused("state.no_stencil", "'" + strategy.name + "' needs a depth target with stencil");
   return std::nullopt;
@@ -59,7 +61,7 @@ std::optional<Error> refuseVariant(const ShaderProgram& program, const Candidate
   const Strategy& strategy = *findStrategy(options.strategy);
   if (!strategy.caches) return std::nullopt;
   if (program.analysis.refusal) return program.analysis.refusal;
-  if (auto refusal = refuseDepth(strategy, program, limits)) return refusal;
+  if (auto refusal = refuseState(strategy, program, limits)) return refusal;
   if (repairs(strategy))
     if (auto refusal = refuseRepair(strategy, program, limits)) return refusal;
   if (isInteger(candidate.scalar) && options.filter != Filter::kNearest)

@@ -6,8 +6,8 @@ namespace reprise {
 
 std::span<const Strategy> strategies() {
   static const Strategy kStrategies[] = {
-      makeBranchStrategy(),   makeTwoPassStrategy(),          makeTwoPassStencilStrategy(), makeThreePassStrategy(),
-      makeRepairStrategy(),   makeOriginalStrategy(),        makeOriginalPrepassStrategy(), makeTailOnlyStrategy(),
+      makeBranchStrategy(),   makeTwoPassStrategy(), makeTwoPassObjectsStrategy(),  makeTwoPassStencilStrategy(), makeThreePassStrategy(),
+      makeRepairStrategy(),   makeOriginalStrategy(), makeOriginalPrepassStrategy(), makeTailOnlyStrategy(),
   };
   return kStrategies;
 }
@@ -20,6 +20,10 @@ const Strategy* findStrategy(const std::string& name) {
 
 bool repairs(const Strategy& strategy) {
   return std::any_of(strategy.passes.begin(), strategy.passes.end(), [](const PassPlan& pass) { return pass.kind == PassKind::kTiles; });
+}
+
+bool flagsDraws(const Strategy& strategy) {
+  return std::any_of(strategy.passes.begin(), strategy.passes.end(), [](const PassPlan& pass) { return pass.flags_draws; });
 }
 
 }  // namespace reprise

@@ -7,6 +7,7 @@ namespace reprise {
 
 Strategy makeBranchStrategy();
 Strategy makeTwoPassStrategy();
+Strategy makeTwoPassObjectsStrategy();
 Strategy makeTwoPassStencilStrategy();
 Strategy makeThreePassStrategy();
 Strategy makeRepairStrategy();

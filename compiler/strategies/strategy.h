@@ -36,6 +36,8 @@ struct PassPlan {
   bool reads_history = false;  // last frame's history
   bool reads_current = false;  // this frame's, written by an earlier rendering
   bool keeps_inputs = false;   // what a miss needs is left for a pass of tiles (kept_inputs.h)
+  bool flags_draws = false;    // a miss flags its object, for a pass of kFlagged objects
+  PassObjects objects = PassObjects::kAll;
   bool depth_clear = true;
   DepthUse depth = DepthUse::kAsApp;
   StencilUse stencil = StencilUse::kNone;
@@ -54,10 +56,12 @@ struct Strategy {
   std::vector<PassPlan> passes;
 };
 
-// Explicit table: branch, two_pass, two_pass_stencil, three_pass, repair, and the references original, original_prepass, tail_only.
+// Explicit table: branch, two_pass, two_pass_objects, two_pass_stencil, three_pass, repair, and the references original, original_prepass, tail_only.
 std::span<const Strategy> strategies();
 // Whether misses are finished without drawing the application's objects again.
 bool repairs(const Strategy& strategy);
+// Whether misses are drawn again by objects, of those that have any.
+bool flagsDraws(const Strategy& strategy);
 
 const Strategy* findStrategy(const std::string& name);
 

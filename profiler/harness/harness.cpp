@@ -202,6 +202,7 @@ Result<Player> Harness::createPlayer(const Package& package, bool original) cons
   pipeline.push_constants = state.push_ranges;
   for (const FragmentOutput& output : state.interface->outputs) pipeline.color_formats.push_back(formatOf(output.scalar));
   pipeline.depth_format = kDepthFormat;
+  pipeline.conditional_rendering = state.context->has_conditional_rendering();
   pipeline.draws_share_inputs = true;  // all meshes are drawn with one set of made-up inputs
   const FunctionSource functions = state.context->functions();
   PlayerOptions options;

@@ -122,6 +122,7 @@ Result<Player> SceneRenderer::createPlayer(const Package& package, const PlayerO
   for (std::size_t i = 0; i < state.interface->outputs.size(); ++i) pipeline.color_formats.push_back(colorFormat(i));
   pipeline.depth_format = depthFormat();
   pipeline.draws_share_inputs = drawsShareInputs(*state.scenario, *state.interface);
+  pipeline.conditional_rendering = state.context->has_conditional_rendering();
   const FunctionSource functions = state.context->functions();
   return Player::create({functions.instance, state.context->view().physical_device, functions.device, functions.get_instance_proc_addr,
                          functions.get_device_proc_addr},

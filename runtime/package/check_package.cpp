@@ -59,7 +59,7 @@ Result<void> checkReads(const Recipe& recipe, const Pass& pass, const std::set<s
     if (resource == nullptr) return inconsistent("there is no resource '" + read.resource + "'");
     if (isUint(resource->format) && read.filter != Filter::kNearest)
       return inconsistent("pass '" + pass.name + "' filters the integers of '" + read.resource + "'");
-    if (read.binding < kFirstReadBinding || read.binding >= kTileFlagsBinding) return inconsistent("a read's binding is out of range");
+    if (read.binding < kFirstReadBinding || read.binding >= kFlagsBinding) return inconsistent("a read's binding is out of range");
     if (!bindings.insert(read.binding).second) return inconsistent("pass '" + pass.name + "' reads two images at one binding");
     const bool this_frame = read.current || resource->lifetime == Lifetime::kFrame;
     if (this_frame && written.count(read.resource) == 0)
@@ -75,8 +75,10 @@ Result<void> checkReads(const Recipe& recipe, const Pass& pass, const std::set<s
 Result<void> checkPass(const Package& package, const Recipe& recipe, const Pass& pass) {
   if (pass.kind != PassKind::kDraw && pass.kind != PassKind::kTiles)
     return inconsistent("pass '" + pass.name + "' is of a kind that this version does not play");
-  if (pass.kind == PassKind::kTiles && (!recipe.flags_tiles || !recipe.uses_reprise_set || !recipe.requirements.shared_inputs))
+  if (pass.kind == PassKind::kTiles && (recipe.flags != MissFlagging::kTiles || !recipe.requirements.shared_inputs))
     return inconsistent("pass '" + pass.name + "' draws tiles, which the recipe does not flag or whose inputs it does not require to be shared");
+  if (pass.objects == PassObjects::kFlagged && (pass.kind != PassKind::kDraw || recipe.flags != MissFlagging::kDraws || !recipe.requirements.conditional_rendering))
+    return inconsistent("pass '" + pass.name + "' draws flagged objects, which the recipe does not flag or without requiring conditional rendering");
   if (pass.stencil != StencilUse::kNone && !recipe.requirements.stencil)
     return inconsistent("pass '" + pass.name + "' uses the stencil, which the recipe does not require");
   REPRISE_TRY(checkModule(package, recipe, pass.vertex_module, "vertex"));
@@ -101,7 +103,8 @@ Result<void> checkFrameKind(const Recipe& recipe, bool wholly_due) {
     draws = true;
     REPRISE_TRY(checkReads(recipe, pass, written));
     // Flags are made visible between renderings, and what the tiles read is what a draw has bound.
-    if (pass.kind == PassKind::kTiles && !drawn) return inconsistent("pass '" + pass.name + "' draws tiles before a rendering has flagged any");
+    if ((pass.kind == PassKind::kTiles || pass.objects == PassObjects::kFlagged) && !drawn)
+      return inconsistent("pass '" + pass.name + "' draws what is flagged before a rendering has flagged anything");
     for (const ColorAttachment& color : pass.colors)
       if (!color.resource.empty()) attached.insert(color.resource);
   }
@@ -121,6 +124,8 @@ Result<void> checkPasses(const Package& package, const Recipe& recipe) {
       return inconsistent("passes of one rendering have different attachments");
     } else if (pass.kind == PassKind::kTiles || recipe.passes[i - 1].kind == PassKind::kTiles) {
       return inconsistent("pass '" + pass.name + "' shares a rendering with others, which tiles may not");
+    } else if (pass.objects != recipe.passes[i - 1].objects) {
+      return inconsistent("pass '" + pass.name + "' draws flagged objects in a rendering that may flag them");
     }
   }
   REPRISE_TRY(checkFrameKind(recipe, true));
@@ -145,8 +150,8 @@ Result<void> checkPreviousInputs(const Recipe& recipe) {
 Result<void> checkRecipe(const Package& package, const Recipe& recipe) {
   if (recipe.resources.size() > kMaxResources || recipe.modules.size() > kMostModules)
     return inconsistent("too many resources or modules");
-  if (recipe.flags_tiles && (!recipe.uses_reprise_set || !recipe.requirements.fragment_stores))
-    return inconsistent("tiles are flagged without a descriptor set or without requiring stores of fragments");
+  if (recipe.flags != MissFlagging::kNone && (!recipe.uses_reprise_set || !recipe.requirements.fragment_stores))
+    return inconsistent("misses are flagged without a descriptor set or without requiring stores of fragments");
   if (recipe.reprise_set > kMaxSet) return inconsistent("the descriptor set is out of range");
   if (!std::has_single_bit(recipe.block_pixels) || recipe.block_pixels < 2 || recipe.block_pixels > 1024)
     return inconsistent("the refresh block must be a power of two from 2 to 1024");

@@ -7,9 +7,10 @@
 // Reprise's own descriptors lie in one set, `reprise_set`, the first that the application's shaders leave free:
 //   binding 0             uniform buffer FrameUniforms (below), one per frame
 //   binding 1             uniform buffer, dynamic offset, one per draw: uint valid_last_frame at 0 (0 for a draw id that was
-//                         absent last frame), the push constants of last frame from byte 16 on
+//                         absent last frame), uint at 4: which of the frame's draws it is, the push constants of last frame from byte 16 on
 //   bindings 2..          combined image samplers of the pass's `reads`
-//   binding 15            where `flags_tiles`: storage buffer, a uint for each tile of the target, row by row; 0 at the start of a frame
+//   binding 15            where the recipe flags misses: storage buffer, a uint for each tile of the target, row by row, or for each draw;
+//                         0 at the start of a frame
 //   bindings 16..         uniform buffers, dynamic offset: last frame's content of the blocks in `previous_inputs`
 // The layout is the same for all passes of a recipe; bindings that a pass does not read may hold any valid image.
 #pragma once
@@ -25,7 +26,7 @@
 
 namespace reprise {
 
-inline constexpr int kRecipeFormatVersion = 5;
+inline constexpr int kRecipeFormatVersion = 6;
 inline constexpr std::size_t kMostColorTargets = 8;  // of a pass; every desktop device has as many
 inline constexpr std::size_t kMostPayloadTargets = 4;                              // of four channels each
 inline constexpr std::size_t kMostPayloadChannels = 4 * kMostPayloadTargets;
@@ -164,7 +165,11 @@ enum class PassFrames { kAll, kWhollyDue, kNotWhollyDue };
 enum class PassKind { kDraw, kTiles, kDispatch, kFullScreen };
 
 inline constexpr std::uint32_t kTilePixels = 16;  // edge of a tile
-inline constexpr std::uint32_t kTileFlagsBinding = 15;
+inline constexpr std::uint32_t kFlagsBinding = 15;
+
+// Which of the application's objects a draw pass draws. kFlagged: those of which an earlier rendering has flagged a miss, told by the device
+// itself (conditional rendering); it may be more, as fragments that something hides flag their object too.
+enum class PassObjects { kAll, kFlagged };
 
 struct Pass {
   std::string name;             // "lookup", "shade", ...: for time stamps and reports
@@ -178,6 +183,7 @@ struct Pass {
   StencilUse stencil = StencilUse::kNone;
   std::vector<Read> reads;
   PassFrames frames = PassFrames::kAll;
+  PassObjects objects = PassObjects::kAll;
   bool operator==(const Pass&) const = default;
 };
 
@@ -229,8 +235,12 @@ struct Requirements {
   int color_attachments = 1;
   bool fragment_stores = false;         // fragmentStoresAndAtomics
   bool shared_inputs = false;           // what the fragment shader reads besides varyings is the same for all draws of a frame
+  bool conditional_rendering = false;   // VK_EXT_conditional_rendering
   bool operator==(const Requirements&) const = default;
 };
+
+// What the misses of a frame are flagged by, for passes of kind kTiles or of kFlagged objects.
+enum class MissFlagging { kNone, kTiles, kDraws };
 
 // Whose image the history is. kOtherEye: the application draws left eye, right eye, left eye, right eye, ..., each pair at one
 // moment; pattern whole at period 2 makes it compute every left eye and take what it can of the right one from there.
@@ -251,7 +261,7 @@ struct Recipe {
   Requirements requirements;
   std::uint32_t reprise_set = 0;
   bool uses_reprise_set = true;     // false for the original
-  bool flags_tiles = false;         // passes of kind kTiles draw what earlier passes flag
+  MissFlagging flags = MissFlagging::kNone;
   bool orthographic = false;        // history depth is z instead of w
   CacheConstants constants;
   std::vector<Resource> resources;

@@ -18,6 +18,9 @@ const EnumNames<DepthUse> kDepths = {{DepthUse::kAsApp, "as_app"}, {DepthUse::kE
                                     {DepthUse::kNone, "none"}};
 const EnumNames<PassFrames> kFrames = {
     {PassFrames::kAll, "all"}, {PassFrames::kWhollyDue, "wholly_due"}, {PassFrames::kNotWhollyDue, "not_wholly_due"}};
+const EnumNames<PassObjects> kObjects = {{PassObjects::kAll, "all"}, {PassObjects::kFlagged, "flagged"}};
+const EnumNames<MissFlagging> kFlags = {
+    {MissFlagging::kNone, "none"}, {MissFlagging::kTiles, "tiles"}, {MissFlagging::kDraws, "draws"}};
 const EnumNames<StencilUse> kStencils = {{StencilUse::kNone, "none"}, {StencilUse::kMarkIfZero, "mark_if_zero"}};
 const EnumNames<PreviousSource> kSources = {{PreviousSource::kUniformBlock, "uniform_block"},
                                             {PreviousSource::kPushConstants, "push_constants"}};
@@ -65,7 +68,7 @@ json toJson(const Pass& pass) {
           {"vertex_module", pass.vertex_module}, {"fragment_module", pass.fragment_module},
           {"colors", listJson(pass.colors, [](const ColorAttachment& color) { return toJson(color); })},
           {"depth_clear", pass.depth_clear}, {"depth", enumText(kDepths, pass.depth)},
-          {"stencil", enumText(kStencils, pass.stencil)}, {"frames", enumText(kFrames, pass.frames)},
+          {"stencil", enumText(kStencils, pass.stencil)}, {"frames", enumText(kFrames, pass.frames)}, {"objects", enumText(kObjects, pass.objects)},
           {"reads", listJson(pass.reads, [](const Read& read) { return toJson(read); })}};
 }
 
@@ -81,6 +84,7 @@ Pass passFrom(const json& from) {
   pass.depth = enumAt(from, "depth", kDepths);
   pass.stencil = enumAt(from, "stencil", kStencils);
   pass.frames = enumAt(from, "frames", kFrames);
+  pass.objects = enumAt(from, "objects", kObjects);
   pass.reads = listAt<Read>(from, "reads", readFrom);
   return pass;
 }
@@ -148,13 +152,13 @@ json toJson(const Requirements& needs) {
   return {{"stencil", needs.stencil}, {"depth_less_or_greater", needs.depth_less_or_greater},
           {"independent_blend", needs.independent_blend}, {"linear_filter", needs.linear_filter},
           {"color_attachments", needs.color_attachments}, {"fragment_stores", needs.fragment_stores},
-          {"shared_inputs", needs.shared_inputs}};
+          {"shared_inputs", needs.shared_inputs}, {"conditional_rendering", needs.conditional_rendering}};
 }
 
 Requirements requirementsFrom(const json& from) {
   return {boolAt(from, "stencil"), boolAt(from, "depth_less_or_greater"), boolAt(from, "independent_blend"),
           boolAt(from, "linear_filter"), integerAt<int>(from, "color_attachments"), boolAt(from, "fragment_stores"),
-          boolAt(from, "shared_inputs")};
+          boolAt(from, "shared_inputs"), boolAt(from, "conditional_rendering")};
 }
 
 }  // namespace
@@ -166,7 +170,7 @@ json recipeJson(const Recipe& recipe) {
           {"previous", nameOf(recipe.previous)},
           {"payload", listJson(recipe.payload, [](const PayloadValue& value) { return toJson(value); })},
           {"requirements", toJson(recipe.requirements)}, {"reprise_set", recipe.reprise_set},
-          {"uses_reprise_set", recipe.uses_reprise_set}, {"flags_tiles", recipe.flags_tiles}, {"orthographic", recipe.orthographic},
+          {"uses_reprise_set", recipe.uses_reprise_set}, {"flags", enumText(kFlags, recipe.flags)}, {"orthographic", recipe.orthographic},
           {"constants", toJson(recipe.constants)},
           {"resources", listJson(recipe.resources, [](const Resource& resource) { return toJson(resource); })},
           {"passes", listJson(recipe.passes, [](const Pass& pass) { return toJson(pass); })},
@@ -188,7 +192,7 @@ Recipe recipeFrom(const json& from) {
   recipe.requirements = requirementsFrom(from.at("requirements"));
   recipe.reprise_set = integerAt<std::uint32_t>(from, "reprise_set");
   recipe.uses_reprise_set = boolAt(from, "uses_reprise_set");
-  recipe.flags_tiles = boolAt(from, "flags_tiles");
+  recipe.flags = enumAt(from, "flags", kFlags);
   recipe.orthographic = boolAt(from, "orthographic");
   recipe.constants = constantsFrom(from.at("constants"));
   recipe.resources = listAt<Resource>(from, "resources", resourceFrom);

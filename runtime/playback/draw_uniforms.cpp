@@ -71,8 +71,8 @@ DrawOffsets UniformRegion::writeDraw(const Recipe& recipe, std::size_t index, co
   VkDeviceSize offset = first_ + stride_ * index;
   DrawOffsets offsets{static_cast<std::uint32_t>(offset)};
   const DrawBytes& bytes = last != nullptr ? *last : current;
-  const std::uint32_t valid = last != nullptr ? 1 : 0;
-  std::memcpy(&memory_.mapped[offset], &valid, sizeof valid);
+  const std::uint32_t head[] = {last != nullptr ? 1u : 0u, static_cast<std::uint32_t>(index)};
+  std::memcpy(&memory_.mapped[offset], head, sizeof head);
   VkDeviceSize block = offset + aligned(drawBlockBytes(recipe), alignment_);
   for (std::size_t i = 0; i < recipe.previous_inputs.size(); ++i) {
     if (recipe.previous_inputs[i].source == PreviousSource::kPushConstants) {

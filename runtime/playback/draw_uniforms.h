@@ -26,7 +26,7 @@ class UniformRegion {
   Result<void> reserve(const DeviceView& device, const Recipe& recipe, std::size_t draws, VkDeviceSize alignment);
 
   void writeFrame(const FrameUniforms& uniforms);
-  // `last` null: the draw was absent last frame; `current` stands in so that nothing undefined is read.
+  // `index`: of the draw among the frame's. `last` null: it was absent last frame; `current` stands in so that nothing undefined is read.
   DrawOffsets writeDraw(const Recipe& recipe, std::size_t index, const DrawBytes* last, const DrawBytes& current);
 
   VkBuffer buffer() const { return memory_.buffer.get(); }

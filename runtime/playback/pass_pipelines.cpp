@@ -25,7 +25,7 @@ std::vector<VkDescriptorSetLayoutBinding> ownBindings(const Recipe& recipe) {
     for (const Read& read : pass.reads) add(read.binding, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
   for (const PreviousInput& input : recipe.previous_inputs)
     if (input.source == PreviousSource::kUniformBlock) add(input.reprise_binding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC);
-  if (recipe.flags_tiles) add(kTileFlagsBinding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+  if (recipe.flags != MissFlagging::kNone) add(kFlagsBinding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
   std::vector<VkDescriptorSetLayoutBinding> list;
   for (const auto& [number, binding] : bindings) list.push_back(binding);
   return list;

@@ -8,6 +8,7 @@
 #include "runtime/playback/draw_uniforms.h"
 #include "runtime/playback/frame_rendering.h"
 #include "runtime/playback/history_images.h"
+#include "runtime/playback/miss_flags.h"
 #include "runtime/playback/pass_pipelines.h"
 #include "runtime/playback/requirements.h"
 #include "runtime/playback/tile_flags.h"
@@ -29,10 +30,17 @@ Result<Handle<VkSampler>> createSampler(const DeviceView& device, VkFilter filte
 
 constexpr std::uint32_t kMostReadBindings = 14;  // bindings 2 to 15
 
-// What one frame in flight owns: uniform memory and a descriptor set for each pass.
+// What one frame in flight owns: uniform memory, a descriptor set for each pass, and the flags of recipes that flag draws.
 struct FrameSlot {
   UniformRegion uniforms;
   std::vector<VkDescriptorSet> sets;
+  MissFlags draw_flags;
+};
+
+// Where a draw of the frame has its numbers.
+struct DrawPlace {
+  std::uint32_t index = 0;  // among the frame's draws
+  DrawOffsets offsets;
 };
 
 }  // namespace
@@ -56,13 +64,15 @@ struct Player::State {
   bool history_valid = false;
   VkViewport previous_viewport = {};
   std::map<std::uint64_t, DrawBytes> last_draws;
-  std::map<std::uint64_t, DrawOffsets> offsets;  // of the frame being recorded
+  std::map<std::uint64_t, DrawPlace> places;  // of the frame being recorded
 
   Result<void> createDescriptors();
   Result<void> resize(VkExtent2D to);
   FrameUniforms uniformsOf(const FrameInputs& inputs) const;
   Result<void> writeUniforms(const FrameInputs& inputs, FrameSlot& slot);
   void updateSets(FrameSlot& slot);
+  // The flags of this frame's misses; null where the recipe flags none.
+  const MissFlags* flagsOf(const FrameSlot& slot) const;
   void prepareImages(VkCommandBuffer commands, const Pass& pass, bool first_use_of_frame, std::set<std::string>& written);
 };
 
@@ -78,8 +88,9 @@ class RecordingPass final : public PassContext {
     bool binds;
     std::uint32_t set_index;
     VkDescriptorSet set;
-    const std::map<std::uint64_t, DrawOffsets>* offsets;
-    bool* drawn;  // becomes true with the first draw
+    const std::map<std::uint64_t, DrawPlace>* places;
+    VkBuffer conditions;  // a flag for each draw, without which it is left out; null: all are drawn
+    bool* drawn;          // becomes true with the first draw
   };
   explicit RecordingPass(const Parts& parts) : parts_(parts) {}
 
@@ -88,15 +99,30 @@ class RecordingPass final : public PassContext {
   int pass() const override { return parts_.pass; }
   void bindDraw(std::uint64_t id) override {
     if (!parts_.binds) return;
-    const auto found = parts_.offsets->find(id);
-    REPRISE_CHECK(found != parts_.offsets->end(), id);
+    const auto found = parts_.places->find(id);
+    REPRISE_CHECK(found != parts_.places->end(), id);
     *parts_.drawn = true;
+    const auto& [index, offsets] = found->second;
+    endObject();
+    if (parts_.conditions != VK_NULL_HANDLE) {
+      VkConditionalRenderingBeginInfoEXT condition{VK_STRUCTURE_TYPE_CONDITIONAL_RENDERING_BEGIN_INFO_EXT};
+      condition.buffer = parts_.conditions;
+      condition.offset = index * sizeof(std::uint32_t);
+      parts_.device->fn.vkCmdBeginConditionalRenderingEXT(parts_.commands, &condition);
+      conditional_ = true;
+    }
     parts_.device->fn.vkCmdBindDescriptorSets(parts_.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, parts_.layout, parts_.set_index, 1,
-                                              &parts_.set, static_cast<std::uint32_t>(found->second.size()), found->second.data());
+                                              &parts_.set, static_cast<std::uint32_t>(offsets.size()), offsets.data());
+  }
+  // After the last draw of an object, or of the pass.
+  void endObject() {
+    if (conditional_) parts_.device->fn.vkCmdEndConditionalRenderingEXT(parts_.commands);
+    conditional_ = false;
   }
 
  private:
   Parts parts_;
+  bool conditional_ = false;  // rendering, since the last bindDraw
 };
 
 // "texture albedo" is named by itself and by "albedo", "Scene.light" also by its block "Scene" and its member "light".
@@ -178,7 +204,7 @@ Result<void> Player::State::resize(VkExtent2D to) {
   // Frames in flight may still use the old images.
   if (!images.empty()) REPRISE_VK(device.fn.vkDeviceWaitIdle(device.device));
   REPRISE_ASSIGN(images, createResourceImages(device, *recipe, to));
-  if (recipe->flags_tiles) REPRISE_TRY(tiles.resize(device, to));
+  if (recipe->flags == MissFlagging::kTiles) REPRISE_TRY(tiles.resize(device, to));
   extent = to;
   history_valid = false;
   return {};
@@ -197,7 +223,7 @@ FrameUniforms Player::State::uniformsOf(const FrameInputs& inputs) const {
   uniforms.history_valid = history_valid ? 1 : 0;
   uniforms.due = dueBlocks({recipe->pattern, inputs.period_frames, recipe->block_pixels}, uniforms.frame,
                            static_cast<std::uint32_t>(inputs.viewport.width), static_cast<std::uint32_t>(std::abs(inputs.viewport.height)));
-  if (recipe->flags_tiles) uniforms.tiles = tiles.across() | tiles.down() << 16;
+  if (recipe->flags == MissFlagging::kTiles) uniforms.tiles = tiles.across() | tiles.down() << 16;
   uniforms.free_payload = recipe->constants.free_payload;
   write(uniforms.viewport, inputs.viewport);
   write(uniforms.previous_viewport, history_valid ? previous_viewport : inputs.viewport);
@@ -208,14 +234,26 @@ Result<void> Player::State::writeUniforms(const FrameInputs& inputs, FrameSlot& 
   REPRISE_ASSIGN(auto draws, collectDrawBytes(*recipe, inputs));
   REPRISE_TRY(slot.uniforms.reserve(device, *recipe, draws.size(), uniform_alignment));
   slot.uniforms.writeFrame(uniformsOf(inputs));
-  offsets.clear();
-  std::size_t index = 0;
+  if (recipe->flags == MissFlagging::kDraws)
+    REPRISE_TRY(slot.draw_flags.reserve(device, std::max<std::uint32_t>(1, static_cast<std::uint32_t>(draws.size())), FlagReader::kConditions));
+  places.clear();
+  std::uint32_t index = 0;
   for (const auto& [id, bytes] : draws) {
     const auto last = last_draws.find(id);
-    offsets[id] = slot.uniforms.writeDraw(*recipe, index++, last == last_draws.end() ? nullptr : &last->second, bytes);
+    places[id] = {index, slot.uniforms.writeDraw(*recipe, index, last == last_draws.end() ? nullptr : &last->second, bytes)};
+    ++index;
   }
   last_draws = std::move(draws);
   return {};
+}
+
+const MissFlags* Player::State::flagsOf(const FrameSlot& slot) const {
+  switch (recipe->flags) {
+    case MissFlagging::kNone: return nullptr;
+    case MissFlagging::kTiles: return &tiles.flags();
+    case MissFlagging::kDraws: return &slot.draw_flags;
+  }
+  return nullptr;
 }
 
 void Player::State::updateSets(FrameSlot& slot) {
@@ -243,7 +281,8 @@ void Player::State::updateSets(FrameSlot& slot) {
     addBuffer(1, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, {memory, 0, UniformRegion::drawBlockBytes(*recipe)});
     for (const PreviousInput& input : recipe->previous_inputs)
       if (input.source == PreviousSource::kUniformBlock) addBuffer(input.reprise_binding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, {memory, 0, input.size_bytes});
-    if (recipe->flags_tiles) addBuffer(kTileFlagsBinding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, {tiles.buffer(), 0, VK_WHOLE_SIZE});
+    if (const MissFlags* flags = flagsOf(slot); flags != nullptr)
+      addBuffer(kFlagsBinding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, {flags->buffer(), 0, VK_WHOLE_SIZE});
     // Bindings that this pass does not read still get an image: another pass's, in the role that is safe to bind now.
     std::map<std::uint32_t, const Read*> reads;
     for (const Pass& other : recipe->passes)
@@ -264,7 +303,6 @@ void Player::State::updateSets(FrameSlot& slot) {
 void Player::State::prepareImages(VkCommandBuffer commands, const Pass& pass, bool first_rendering, std::set<std::string>& written) {
   const bool omit = !first_rendering && options.omit_barrier_for_test;
   if (!first_rendering && !omit) appDependency(device, commands);
-  if (pass.kind == PassKind::kTiles && !omit) tiles.makeVisible(device, commands);
   for (const Read& read : pass.reads) {
     ResourceImages& resource = images.at(read.resource);
     transition(device, commands, read.current ? resource.written(frame) : resource.last(frame),
@@ -299,7 +337,8 @@ Result<void> Player::record(VkCommandBuffer commands, const FrameInputs& inputs,
 
   std::set<std::string> written;
   bool first_rendering = true, drawn = false;
-  if (recipe.flags_tiles) state.tiles.clear(device, commands);
+  const MissFlags* flags = state.flagsOf(slot);
+  if (flags != nullptr) flags->clear(device, commands);
   RenderingParts parts{&inputs, &state.images, state.frame, state.application.depth_format, recipe.requirements.stencil, {}, false};
   for (std::uint32_t index = 0; index < pass_count; ++index) {
     const Pass& pass = recipe.passes[index];
@@ -313,6 +352,8 @@ Result<void> Player::record(VkCommandBuffer commands, const FrameInputs& inputs,
       Pass all = pass;
       for (std::uint32_t other = index + 1; other < pass_count && recipe.passes[other].rendering == pass.rendering; ++other)
         all.reads.insert(all.reads.end(), recipe.passes[other].reads.begin(), recipe.passes[other].reads.end());
+      const bool asks_flags = pass.kind == PassKind::kTiles || pass.objects == PassObjects::kFlagged;
+      if (asks_flags && !state.options.omit_barrier_for_test) flags->makeVisible(device, commands);
       state.prepareImages(commands, all, first_rendering, written);
       first_rendering = false;
       beginRendering(device, commands, pass, parts);
@@ -321,11 +362,13 @@ Result<void> Player::record(VkCommandBuffer commands, const FrameInputs& inputs,
     if (inputs.occlusion != VK_NULL_HANDLE)
       device.fn.vkCmdBeginQuery(commands, inputs.occlusion, inputs.first_occlusion + index, VK_QUERY_CONTROL_PRECISE_BIT);
     RecordingPass context({&device, commands, state.pipelines.layout.get(), static_cast<int>(index), recipe.uses_reprise_set,
-                           recipe.reprise_set, recipe.uses_reprise_set ? slot.sets[index] : VK_NULL_HANDLE, &state.offsets, &drawn});
+                           recipe.reprise_set, recipe.uses_reprise_set ? slot.sets[index] : VK_NULL_HANDLE, &state.places,
+                           pass.objects == PassObjects::kFlagged ? flags->buffer() : VK_NULL_HANDLE, &drawn});
     if (drawsIn(pass, wholly_due) && pass.kind == PassKind::kDraw) draw(context);
+    context.endObject();
     // What no draw bound no tile can read: then there is nothing to finish either.
     if (drawsIn(pass, wholly_due) && pass.kind == PassKind::kTiles && drawn) {
-      context.bindDraw(state.offsets.begin()->first);
+      context.bindDraw(state.places.begin()->first);
       state.tiles.drawTiles(device, commands);
     }
     if (inputs.occlusion != VK_NULL_HANDLE) device.fn.vkCmdEndQuery(commands, inputs.occlusion, inputs.first_occlusion + index);

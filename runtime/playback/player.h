@@ -56,6 +56,9 @@ struct ApplicationPipeline {
   // push constants) is the same for all draws of a frame, and the device has fragmentStoresAndAtomics enabled. The misses of all draws
   // are then finished by one draw of the player's own, with the sets and push constants that the last of them left bound.
   bool draws_share_inputs = false;
+  // The application's word, which packages of strategy two_pass_objects need: the device has VK_EXT_conditional_rendering with its feature
+  // conditionalRendering and fragmentStoresAndAtomics enabled, and draw callbacks use no conditional rendering of their own.
+  bool conditional_rendering = false;
 };
 
 struct ColorTarget {
@@ -106,7 +109,9 @@ class PassContext {
   virtual VkCommandBuffer commands() const = 0;
   virtual VkPipelineLayout layout() const = 0;  // compatible with the application's for its own sets
   virtual int pass() const = 0;                 // index into the recipe's passes
-  virtual void bindDraw(std::uint64_t id) = 0;  // binds Reprise's set for this object; id must be in FrameInputs::draws
+  // Binds Reprise's set for this object; id must be in FrameInputs::draws. What is drawn from here to the next bindDraw is this object's:
+  // a pass for misses may leave it out.
+  virtual void bindDraw(std::uint64_t id) = 0;
 };
 
 struct PlayerOptions {

@@ -34,6 +34,8 @@ std::string missingState(const Recipe& recipe, const ApplicationPipeline& applic
     return "descriptor set " + std::to_string(recipe.reprise_set) + " is taken by the application";
   if (recipe.requirements.shared_inputs && !application.draws_share_inputs)
     return "the strategy needs all draws of a frame to share what the fragment shader reads, which the application does not say (ApplicationPipeline::draws_share_inputs)";
+  if (recipe.requirements.conditional_rendering && !application.conditional_rendering)
+    return "the strategy needs VK_EXT_conditional_rendering, which the application does not say that it has enabled (ApplicationPipeline::conditional_rendering)";
   return "";
 }
 
@@ -55,6 +57,8 @@ std::string missingLimit(const DeviceView& device, const Recipe& recipe) {
     return "the device cannot blend each target by itself";
   if (recipe.requirements.fragment_stores && features.features.fragmentStoresAndAtomics == VK_FALSE)
     return "the device has no stores in fragment shaders";
+  if (recipe.requirements.conditional_rendering && device.fn.vkCmdBeginConditionalRenderingEXT == nullptr)
+    return "the device was made without VK_EXT_conditional_rendering";
   return "";
 }
 

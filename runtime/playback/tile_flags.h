@@ -3,8 +3,7 @@
 
 #include <cstdint>
 
-#include "runtime/vulkan/buffer.h"
-#include "runtime/vulkan/device.h"
+#include "runtime/playback/miss_flags.h"
 
 namespace reprise {
 
@@ -13,20 +12,16 @@ class TileFlags {
   // For targets of this size. The device has finished with the old ones. Errors: device.memory, device.call.
   Result<void> resize(const DeviceView& device, VkExtent2D extent);
 
-  // Records that all flags become 0, after what an earlier frame does with them.
-  void clear(const DeviceView& device, VkCommandBuffer commands) const;
-  // Records the dependency of a draw of tiles on the fragments before it. Not inside a rendering.
-  void makeVisible(const DeviceView& device, VkCommandBuffer commands) const;
   // Records the draw of all tiles, with a viewport of whole tiles, which may reach beyond the target.
   void drawTiles(const DeviceView& device, VkCommandBuffer commands) const;
 
-  VkBuffer buffer() const { return flags_.buffer.get(); }
+  const MissFlags& flags() const { return flags_; }
   std::uint32_t across() const;
   std::uint32_t down() const;
   std::uint32_t count() const;
 
  private:
-  Buffer flags_;
+  MissFlags flags_;
   VkExtent2D extent_ = {};
 };
 

@@ -131,8 +131,24 @@ std::optional<std::uint32_t> graphicsFamily(VkPhysicalDevice device, bool& has_t
   return std::nullopt;
 }
 
-// Everything that a shader under test may use is enabled where the device has it.
-Result<VkDevice> createDevice(VkPhysicalDevice physical_device, std::uint32_t family) {
+Result<bool> hasConditionalRendering(VkPhysicalDevice device) {
+  std::uint32_t count = 0;
+  REPRISE_VK(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr));
+  std::vector<VkExtensionProperties> extensions(count);
+  REPRISE_VK(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, extensions.data()));
+  if (std::none_of(extensions.begin(), extensions.end(), [](const VkExtensionProperties& one) {
+        return std::string(one.extensionName) == VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME;
+      }))
+    return false;
+  VkPhysicalDeviceConditionalRenderingFeaturesEXT conditional{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CONDITIONAL_RENDERING_FEATURES_EXT};
+  VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
+  features.pNext = &conditional;
+  vkGetPhysicalDeviceFeatures2(device, &features);
+  return conditional.conditionalRendering == VK_TRUE;
+}
+
+// Everything that a shader or a recipe under test may use is enabled where the device has it.
+Result<VkDevice> createDevice(VkPhysicalDevice physical_device, std::uint32_t family, bool conditional_rendering) {
   VkPhysicalDeviceVulkan13Features features13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
   VkPhysicalDeviceVulkan12Features features12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES};
   VkPhysicalDeviceVulkan11Features features11{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES};
@@ -145,6 +161,9 @@ Result<VkDevice> createDevice(VkPhysicalDevice physical_device, std::uint32_t fa
     return Error{ErrorKind::kMachine, "device.feature", "the Vulkan device has no dynamic rendering (Vulkan 1.3)", {}};
   features.features.robustBufferAccess = VK_FALSE;
   features12.bufferDeviceAddressCaptureReplay = VK_FALSE;
+  VkPhysicalDeviceConditionalRenderingFeaturesEXT conditional{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CONDITIONAL_RENDERING_FEATURES_EXT};
+  conditional.conditionalRendering = VK_TRUE;
+  const char* const extension = VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME;
   const float priority = 1;
   VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
   queue.queueFamilyIndex = family;
@@ -152,6 +171,11 @@ Result<VkDevice> createDevice(VkPhysicalDevice physical_device, std::uint32_t fa
   queue.pQueuePriorities = &priority;
   VkDeviceCreateInfo create{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
   create.pNext = &features;
+  if (conditional_rendering) {
+    features13.pNext = &conditional;
+    create.enabledExtensionCount = 1;
+    create.ppEnabledExtensionNames = &extension;
+  }
   create.queueCreateInfoCount = 1;
   create.pQueueCreateInfos = &queue;
   VkDevice device = VK_NULL_HANDLE;
@@ -170,6 +194,7 @@ struct Context::State {
   std::uint32_t family = 0;
   double timestamp_period_ns = 1;
   bool has_timestamps = false;
+  bool has_conditional_rendering = false;
   DeviceSummary summary;
   DeviceView view;
 
@@ -196,6 +221,7 @@ VkQueue Context::queue() const { return state_->queue; }
 std::uint32_t Context::queue_family() const { return state_->family; }
 double Context::timestamp_period_ns() const { return state_->timestamp_period_ns; }
 bool Context::has_timestamps() const { return state_->has_timestamps; }
+bool Context::has_conditional_rendering() const { return state_->has_conditional_rendering; }
 const std::vector<std::string>& Context::validation_messages() const { return state_->messages; }
 FunctionSource Context::functions() const {
   return {state_->instance, state_->device, vkGetInstanceProcAddr, vkGetDeviceProcAddr};
@@ -222,7 +248,8 @@ Result<Context> Context::create(const ContextOptions& options) {
   const auto family = graphicsFamily(physical_device, state->has_timestamps);
   if (!family) return noDevice("'" + state->summary.name + "' has no graphics queue");
   state->family = *family;
-  REPRISE_ASSIGN(state->device, createDevice(physical_device, *family));
+  REPRISE_ASSIGN(state->has_conditional_rendering, hasConditionalRendering(physical_device));
+  REPRISE_ASSIGN(state->device, createDevice(physical_device, *family, state->has_conditional_rendering));
   vkGetDeviceQueue(state->device, *family, 0, &state->queue);
   VkPhysicalDeviceProperties properties;
   vkGetPhysicalDeviceProperties(physical_device, &properties);

@@ -20,6 +20,9 @@ Result<VulkanFunctions> loadFunctions(const FunctionSource& source) {
   if (functions.name == nullptr && missing.empty()) missing = #name;
   REPRISE_DEVICE_FUNCTIONS_KHR(REPRISE_LOAD)
 #undef REPRISE_LOAD
+#define REPRISE_LOAD(name) functions.name = reinterpret_cast<PFN_##name>(source.get_device_proc_addr(source.device, #name));
+  REPRISE_OPTIONAL_DEVICE_FUNCTIONS(REPRISE_LOAD)
+#undef REPRISE_LOAD
 #define REPRISE_LOAD(name)                                                                                   \
   functions.name = reinterpret_cast<PFN_##name>(source.get_instance_proc_addr(source.instance, #name));      \
   if (functions.name == nullptr && missing.empty()) missing = #name;

@@ -26,6 +26,9 @@
   X(vkUpdateDescriptorSets) X(vkWaitForFences) X(vkCreateBufferView) X(vkDestroyBufferView)                \
   X(vkCmdClearAttachments) X(vkCmdFillBuffer)
 
+// Of extensions that a recipe may require; null where the device was made without.
+#define REPRISE_OPTIONAL_DEVICE_FUNCTIONS(X) X(vkCmdBeginConditionalRenderingEXT) X(vkCmdEndConditionalRenderingEXT)
+
 // Core in Vulkan 1.3, else under the name of the extension; looked up under both.
 #define REPRISE_DEVICE_FUNCTIONS_KHR(X) X(vkCmdBeginRendering) X(vkCmdEndRendering)
 
@@ -40,6 +43,7 @@ namespace reprise {
 struct VulkanFunctions {
   REPRISE_DEVICE_FUNCTIONS(REPRISE_DECLARE)
   REPRISE_DEVICE_FUNCTIONS_KHR(REPRISE_DECLARE)
+  REPRISE_OPTIONAL_DEVICE_FUNCTIONS(REPRISE_DECLARE)
   REPRISE_INSTANCE_FUNCTIONS(REPRISE_DECLARE)
 };
 

@@ -81,7 +81,7 @@ TEST(StrategyRepair, OneDrawKeepsAllFragmentsAndTilesFinishTheMisses) {
   EXPECT_EQ(draw.depth, DepthUse::kAsApp);
   EXPECT_EQ(tiles.kind, PassKind::kTiles);
   EXPECT_EQ(tiles.depth, DepthUse::kNone);
-  EXPECT_TRUE(built.recipe.flags_tiles);
+  EXPECT_EQ(built.recipe.flags, MissFlagging::kTiles);
   const Module drawn = moduleNamed(built, draw.fragment_module), repair = moduleNamed(built, tiles.fragment_module);
   EXPECT_TRUE(hasMode(drawn, spv::ExecutionMode::EarlyFragmentTests)) << "hidden fragments would be shaded";
   EXPECT_EQ(kills(drawn), 0);

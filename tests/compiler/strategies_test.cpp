@@ -45,7 +45,7 @@ class StrategyOn : public testing::TestWithParam<std::string> {};
 // Of pairs of eyes only the first is fetched from: the second writes no payload, and one image is enough.
 TEST(Pairs, StoreInFramesThatAreWhollyDueAlone) {
   const SubjectOfStrategies subject = subjectOf(std::string(REPRISE_SOURCE_DIR) + "/shaders/marble/marble.frag");
-  for (const char* strategy : {"branch", "two_pass", "two_pass_stencil", "repair"}) {
+  for (const char* strategy : {"branch", "two_pass", "two_pass_objects", "two_pass_stencil", "repair"}) {
     SCOPED_TRACE(strategy);
     VariantOptions options;
     options.strategy = strategy;
@@ -62,6 +62,35 @@ TEST(Pairs, StoreInFramesThatAreWhollyDueAlone) {
       EXPECT_EQ(pass.frames, stores ? PassFrames::kWhollyDue : PassFrames::kNotWhollyDue) << pass.name;
     }
   }
+}
+
+TEST(StrategyTwoPassObjects, DrawsAgainWhatItsMissesFlagOverWhatItsHitsWrote) {
+  const SubjectOfStrategies subject = subjectOf(std::string(REPRISE_SOURCE_DIR) + "/shaders/marble/marble.frag");
+  VariantOptions options;
+  options.strategy = "two_pass_objects";
+  const Package package = buildPackage(subject.program, subject.first(), options, kAllows).value();
+  const Recipe& recipe = package.variant;
+  EXPECT_EQ(recipe.flags, MissFlagging::kDraws);
+  EXPECT_TRUE(recipe.requirements.conditional_rendering && recipe.requirements.fragment_stores);
+  ASSERT_EQ(recipe.passes.size(), 2u);
+  const Pass &hits = recipe.passes[0], &misses = recipe.passes[1];
+  EXPECT_EQ(hits.objects, PassObjects::kAll);
+  EXPECT_EQ(hits.frames, PassFrames::kAll) << "in a frame that is wholly due nothing would be flagged";
+  EXPECT_EQ(misses.objects, PassObjects::kFlagged);
+  EXPECT_NE(misses.rendering, hits.rendering) << "the flags are visible between renderings only";
+  EXPECT_FALSE(misses.depth_clear);
+  for (const ColorAttachment& color : misses.colors)
+    if (!color.resource.empty()) {
+      EXPECT_EQ(color.load, LoadOp::kLoad) << color.resource;
+    }
+  const Module flagging = readModule(package.modules.at(hits.fragment_module)).value();
+  int atomics = 0, kills = 0;
+  for (const Function& function : flagging.functions) {
+    atomics += countOf(function, spv::Op::OpAtomicOr);
+    kills += countOf(function, spv::Op::OpKill) + countOf(function, spv::Op::OpTerminateInvocation);
+  }
+  EXPECT_EQ(atomics, 1);
+  EXPECT_EQ(kills, 1);
 }
 
 TEST_P(StrategyOn, GivesValidModulesAndAConsistentPackage) {
@@ -185,6 +214,7 @@ TEST(Strategies, WhatTheStateForbidsIsRefused) {
                                  : repairs(strategy)       ? "state.shared_inputs" : "";
     EXPECT_EQ(refusalOf(strategy.name, none), expected) << strategy.name;
   }
+  EXPECT_EQ(refusalOf("two_pass_objects", {true, true, true, false}), "state.one_draw");
   EXPECT_EQ(refusalOf("branchy", kAllows), "strategy.unknown");
 }
 

@@ -112,13 +112,26 @@ struct Contradiction {
 
 // A third pass, of tiles, in a rendering of its own: sound as it is.
 Recipe& addTiles(Recipe& recipe) {
-  recipe.flags_tiles = recipe.requirements.fragment_stores = recipe.requirements.shared_inputs = true;
+  recipe.flags = MissFlagging::kTiles;
+  recipe.requirements.fragment_stores = recipe.requirements.shared_inputs = true;
   Pass tiles = recipe.passes.back();
   tiles.name = "tiles";
   tiles.kind = PassKind::kTiles;
   tiles.rendering = recipe.passes.back().rendering + 1;
   tiles.depth = DepthUse::kNone;
   recipe.passes.push_back(tiles);
+  return recipe;
+}
+
+// A third pass, of flagged objects, in a rendering of its own: sound as it is.
+Recipe& addFlaggedObjects(Recipe& recipe) {
+  recipe.flags = MissFlagging::kDraws;
+  recipe.requirements.fragment_stores = recipe.requirements.conditional_rendering = true;
+  Pass again = recipe.passes.back();
+  again.name = "again";
+  again.rendering = recipe.passes.back().rendering + 1;
+  again.objects = PassObjects::kFlagged;
+  recipe.passes.push_back(again);
   return recipe;
 }
 
@@ -167,9 +180,18 @@ const Contradiction kContradictions[] = {
     {"previous block at a read's binding", [](Recipe& recipe) { recipe.previous_inputs[0].reprise_binding = 2; }},
     {"push constants twice", [](Recipe& recipe) { recipe.previous_inputs.push_back(recipe.previous_inputs[1]); }},
     {"pass that this version does not play", [](Recipe& recipe) { recipe.passes[0].kind = PassKind::kDispatch; }},
-    {"read at the binding of the tiles' flags", [](Recipe& recipe) { recipe.passes[0].reads[0].binding = kTileFlagsBinding; }},
-    {"flags without a requirement", [](Recipe& recipe) { recipe.flags_tiles = true; }},
-    {"tiles that are not flagged", [](Recipe& recipe) { addTiles(recipe).flags_tiles = false; }},
+    {"read at the binding of the flags", [](Recipe& recipe) { recipe.passes[0].reads[0].binding = kFlagsBinding; }},
+    {"flags without a requirement", [](Recipe& recipe) { recipe.flags = MissFlagging::kTiles; }},
+    {"tiles that are not flagged", [](Recipe& recipe) { addTiles(recipe).flags = MissFlagging::kDraws; }},
+    {"objects that are not flagged", [](Recipe& recipe) { addFlaggedObjects(recipe).flags = MissFlagging::kTiles; }},
+    {"flagged objects without conditional rendering", [](Recipe& recipe) { addFlaggedObjects(recipe).requirements.conditional_rendering = false; }},
+    {"flagged tiles", [](Recipe& recipe) { addFlaggedObjects(recipe).passes.back().kind = PassKind::kTiles; }},
+    {"flagged objects before any draw",
+     [](Recipe& recipe) {
+       addFlaggedObjects(recipe);
+       for (std::size_t i = 0; i + 1 < recipe.passes.size(); ++i) recipe.passes[i].frames = PassFrames::kWhollyDue;
+     }},
+    {"flagged objects in a rendering with others", [](Recipe& recipe) { addFlaggedObjects(recipe).passes.back().rendering = recipe.passes[0].rendering; }},
     {"tiles whose inputs need not be shared", [](Recipe& recipe) { addTiles(recipe).requirements.shared_inputs = false; }},
     {"tiles before any draw",
      [](Recipe& recipe) {
@@ -189,11 +211,13 @@ TEST(ContradictingPackage, IsFoundInMemory) {
   }
 }
 
-TEST(ContradictingPackage, TilesAfterADrawAreNone) {
-  Package package = twoPassPackage();
-  addTiles(package.variant);
-  const Result<void> checked = checkPackage(package);
-  EXPECT_TRUE(checked.ok()) << formatError(checked.error());
+TEST(ContradictingPackage, TilesAndFlaggedObjectsAfterADrawAreNone) {
+  for (Recipe& (*add)(Recipe&) : {addTiles, addFlaggedObjects}) {
+    Package package = twoPassPackage();
+    add(package.variant);
+    const Result<void> checked = checkPackage(package);
+    EXPECT_TRUE(checked.ok()) << formatError(checked.error());
+  }
 }
 
 TEST(ContradictingPackage, TheOriginalIsCheckedToo) {

@@ -110,6 +110,33 @@ TEST_F(Passes, LoadedTargetsKeepTheApplicationsContent) {
   EXPECT_EQ(colorAt(13, 2)[0], 8);  // farther: covered
 }
 
+TEST_F(Passes, OfFlaggedObjectsLeaveOutTheOthersFrameByFrame) {
+  if (!context().has_conditional_rendering()) GTEST_SKIP() << "the device has no VK_EXT_conditional_rendering";
+  Player player = makePlayer(flaggedPackage());
+  ASSERT_EQ(player.originalReason(), "");
+  const auto quads = [](float left, float right) {
+    return std::vector<Quad>{{7, {-1, -1, 0, 1}, 0.5f, left}, {3, {0, -1, 1, 1}, 0.5f, right}};
+  };
+  const std::pair<float, float> frames[] = {{5, 3}, {3, 6}, {3, 3}, {8, 9}};
+  for (const auto& [left, right] : frames) {
+    play(player, quads(left, right));
+    EXPECT_EQ(colorAt(2, 2)[0], left > 4 ? left : 0.5f);
+    EXPECT_EQ(colorAt(13, 2)[0], right > 4 ? right : 0.5f);
+  }
+}
+
+TEST_F(Passes, OfFlaggedObjectsTakeMoreObjectsFromFrameToFrame) {
+  if (!context().has_conditional_rendering()) GTEST_SKIP() << "the device has no VK_EXT_conditional_rendering";
+  Player player = makePlayer(flaggedPackage());
+  play(player, {});
+  for (std::uint64_t count = 1; count < 40; count += 13) {
+    std::vector<Quad> quads;
+    for (std::uint64_t id = 0; id < count; ++id) quads.push_back({id, {-1, -1, 1, 1}, 1 - static_cast<float>(id + 1) / 64, 4 + static_cast<float>(id)});
+    play(player, quads);
+    EXPECT_EQ(colorAt(2, 2)[0], count == 1 ? 0.5f : static_cast<float>(3 + count));
+  }
+}
+
 TEST_F(Passes, TimestampsAreWrittenAroundEveryPass) {
   if (!context().has_timestamps()) GTEST_SKIP() << "the device has no timestamps";
   const Handle<VkQueryPool> queries = makeQueries(VK_QUERY_TYPE_TIMESTAMP, 5);

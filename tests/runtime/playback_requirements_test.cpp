@@ -75,6 +75,15 @@ TEST_F(Requirement, TheApplicationsWordThatDrawsShareTheirInputs) {
   expectOriginal(package, "share what the fragment shader reads");
 }
 
+TEST_F(Requirement, TheApplicationsWordThatConditionalRenderingIsEnabled) {
+  ApplicationPipeline silent = pipeline();
+  silent.conditional_rendering = false;
+  const Result<Player> player = Player::create(handles(), flaggedPackage(), silent, {});
+  ASSERT_TRUE(player.ok()) << formatError(player.error());
+  EXPECT_TRUE(player->playsOriginal());
+  EXPECT_NE(player->originalReason().find("VK_EXT_conditional_rendering"), std::string::npos) << player->originalReason();
+}
+
 TEST_F(Requirement, AttachmentsOfTheDevice) {
   Package package = accumulatingPackage();
   package.variant.requirements.color_attachments = 1000;

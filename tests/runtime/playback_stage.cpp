@@ -115,6 +115,7 @@ ApplicationPipeline PlaybackStage::pipeline() const {
   pipeline.push_constants = {kPushRange};
   pipeline.color_formats = {kColorFormat};
   pipeline.depth_format = depth_format_;
+  pipeline.conditional_rendering = context_->has_conditional_rendering();
   return pipeline;
 }
 

@@ -61,7 +61,8 @@ Read anyRead() { return {anyText(), anyCount(), oneOf({Filter::kNearest, Filter:
 Pass anyPass() {
   return {anyText(), oneOf({PassKind::kDraw, PassKind::kTiles, PassKind::kDispatch, PassKind::kFullScreen}), anyInt(), anyText(), anyText(),
           some<ColorAttachment>(anyColor), anyBool(), oneOf({DepthUse::kAsApp, DepthUse::kEqualNoWrite, DepthUse::kNone}),
-          oneOf({StencilUse::kNone, StencilUse::kMarkIfZero}), some<Read>(anyRead), oneOf({PassFrames::kAll, PassFrames::kWhollyDue, PassFrames::kNotWhollyDue})};
+          oneOf({StencilUse::kNone, StencilUse::kMarkIfZero}), some<Read>(anyRead), oneOf({PassFrames::kAll, PassFrames::kWhollyDue, PassFrames::kNotWhollyDue}),
+          oneOf({PassObjects::kAll, PassObjects::kFlagged})};
 }
 
 PreviousInput anyPrevious() {
@@ -92,10 +93,10 @@ Recipe anyRecipe() {
   recipe.period_frames = oneOf({kNeverRefresh, 1u, 64u});
   recipe.previous = oneOf({PreviousImage::kLastFrame, PreviousImage::kOtherEye});
   recipe.payload = some<PayloadValue>(anyPayload);
-  recipe.requirements = {anyBool(), anyBool(), anyBool(), anyBool(), anyInt(), anyBool(), anyBool()};
+  recipe.requirements = {anyBool(), anyBool(), anyBool(), anyBool(), anyInt(), anyBool(), anyBool(), anyBool()};
   recipe.reprise_set = anyCount();
   recipe.uses_reprise_set = anyBool();
-  recipe.flags_tiles = anyBool();
+  recipe.flags = oneOf({MissFlagging::kNone, MissFlagging::kTiles, MissFlagging::kDraws});
   recipe.orthographic = anyBool();
   recipe.constants = anyConstants();
   recipe.resources = some<Resource>(anyResource);
@@ -146,7 +147,7 @@ RC_GTEST_PROP(RoundTrip, KeepsRecipes, ()) {
   RC_ASSERT(std::memcmp(&read->constants, &recipe.constants, sizeof(CacheConstants)) == 0);
   RC_ASSERT(read->resources == recipe.resources && read->passes == recipe.passes && read->modules == recipe.modules);
   RC_ASSERT(read->previous_inputs == recipe.previous_inputs && read->format_version == recipe.format_version);
-  RC_ASSERT(read->flags_tiles == recipe.flags_tiles);
+  RC_ASSERT(read->flags == recipe.flags);
   RC_ASSERT(read->orthographic == recipe.orthographic && read->previous == recipe.previous);
 }
 

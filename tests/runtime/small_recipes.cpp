@@ -180,4 +180,27 @@ Package stencilPackage() {
   return package;
 }
 
+Package flaggedPackage() {
+  Package package = cachingPackage(R"(
+layout(set = 0, binding = 1, std140) uniform RepriseDraw { uint valid_last_frame; uint index; } draw;
+layout(set = 0, binding = 15, std430) buffer RepriseFlags { uint flags[]; };
+layout(location = 0) flat in vec4 value;
+layout(location = 0) out vec4 color;
+void main() {
+  if (value.x > 4.0) atomicOr(flags[draw.index], 1u);
+  color = vec4(0.5, 0.5, 0.5, 1.0);
+}
+)");
+  Recipe& recipe = package.variant;
+  recipe.flags = MissFlagging::kDraws;
+  recipe.requirements.fragment_stores = recipe.requirements.conditional_rendering = true;
+  Pass again = drawPass("original");
+  again.rendering = 1;
+  again.depth_clear = false;
+  again.depth = DepthUse::kEqualNoWrite;
+  again.objects = PassObjects::kFlagged;
+  recipe.passes.push_back(again);
+  return package;
+}
+
 }  // namespace reprise

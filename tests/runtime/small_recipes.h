@@ -33,5 +33,7 @@ Package twoRenderingsPackage();
 Package countingPackage();
 // Only the first fragment of a pixel is drawn, by the stencil.
 Package stencilPackage();
+// Draws all quads in (0.5, 0.5, 0.5, 1) and flags those whose `first` is above 4; then draws what is flagged as the original does.
+Package flaggedPackage();
 
 }  // namespace reprise

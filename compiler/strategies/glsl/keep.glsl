@@ -2,7 +2,7 @@
 // The first word is FragCoord.w, which no fragment has as 0: 0 stands for a pixel that needs no repair.
 KEPT_GIVEN
 layout(location = KEPT_LOCATION) out uvec4 reprise_kept[KEPT_TARGETS];
-layout(set = REPRISE_SET, binding = TILE_FLAGS_BINDING, std430) buffer RepriseTiles { uint reprise_flags[]; };
+layout(set = REPRISE_SET, binding = FLAGS_BINDING, std430) buffer RepriseTiles { uint reprise_flags[]; };
 
 void repriseKeep() {
   KEEP

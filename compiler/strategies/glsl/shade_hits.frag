@@ -7,10 +7,14 @@
 #include "body.glsl"
 #include "lookup.glsl"
 #include "count.glsl"
+#include "flag_draw.glsl"
 
 void main() {
   PAYLOAD_VEC texel[TARGETS];
-  if (!repriseLookup(texel)) discard;
+  if (!repriseLookup(texel)) {
+    repriseFlagDraw();
+    discard;
+  }
   repriseDecode(texel, reprise_payload);
   reprise_hit();
   repriseCarry(texel);

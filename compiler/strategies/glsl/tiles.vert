@@ -1,7 +1,7 @@
 // A quad for each tile that was flagged; of the others a point, which covers nothing. The viewport is that of
 // all tiles, which may reach beyond the target.
 #include "frame_uniforms.glsl"
-layout(set = REPRISE_SET, binding = TILE_FLAGS_BINDING, std430) readonly buffer RepriseTiles { uint reprise_flags[]; };
+layout(set = REPRISE_SET, binding = FLAGS_BINDING, std430) readonly buffer RepriseTiles { uint reprise_flags[]; };
 
 void main() {
   uint index = uint(gl_InstanceIndex);
