@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <optional>
 
 #include "cli/fit.h"
 #include "cli/probe_candidates.h"
-#include "fitting/selection/pace.h"
+#include "cli/probe_objects.h"
+#include "cli/session_pace.h"
 
 namespace reprise {
 namespace {
@@ -37,6 +37,10 @@ class Trainer {
     training_.failed = std::move(probed.failed);
     training_.warnings = std::move(probed.warnings);
     for (const auto& [candidate, ranges] : training_.ranges) addStudy(candidate, baseOptions(subject_, ranges, subject_.candidates[candidate]));
+    if (!training_.errors.empty()) {
+      const ErrorStudy& first = training_.errors.front();
+      REPRISE_ASSIGN(training_.strategies_refused, strategiesWithoutIdleObjects(subject_, workspace_, measuring_, {first.candidate, first.options.ranges}, progress_));
+    }
     REPRISE_TRY(study(0, studyPeriods(), [this] { return worthTiming(); }));
     REPRISE_TRY(refine());
     return std::move(training_);
@@ -176,7 +180,7 @@ class Trainer {
       }
       ++timed;
       for (const Strategy& strategy : strategies())
-        if (strategy.selectable) wanted.push_back({study, strategy.name});
+        if (strategy.selectable && training_.strategies_refused.count(strategy.name) == 0) wanted.push_back({study, strategy.name});
     }
     return wanted;
   }
@@ -239,7 +243,7 @@ class Trainer {
                    measureTimes(measuring_, {session, imagesOf(subject_.scenario, options_.rounds), false}, plan.requests));
     const std::vector<TimedFrame> reference = fasterReference(plan.entries, series);
     const auto [first, is_first] = first_reference_.emplace(session, reference);
-    const Pace pace = is_first ? Pace{} : paceAgainst(first->second, reference);
+    const SessionPace pace = is_first ? SessionPace{} : paceAgainst(first->second, reference);
     for (std::size_t i = 0; i < series.size(); ++i) {
       const TimedEntry& entry = plan.entries[i];
       const bool is_reference = entry.kind == TimedEntry::Kind::kOriginal || entry.kind == TimedEntry::Kind::kPrepass;
@@ -248,32 +252,6 @@ class Trainer {
       if (entry.kind == TimedEntry::Kind::kVariant) training_.costs[entry.target].reference[session] = atPace(reference, pace);
     }
     return {};
-  }
-
-  // How much longer the original took in a later run of a session than in the first.
-  struct Pace {
-    double clock = 1, wall = 1;
-  };
-
-  static Pace paceAgainst(const std::vector<TimedFrame>& first, const std::vector<TimedFrame>& later) {
-    const auto ratio = [&](double TimedFrame::*member) {
-      const auto medianTime = [&](const std::vector<TimedFrame>& frames) {
-        std::vector<double> times;
-        for (const TimedFrame& frame : frames) times.push_back(frame.*member);
-        return medianOf(std::move(times));
-      };
-      const double value = paceOf({medianTime(first), 1}, {medianTime(later), 1});
-      return std::isfinite(value) ? value : 1;
-    };
-    return {ratio(&TimedFrame::clock_ms), ratio(&TimedFrame::wall_ms)};
-  }
-
-  static std::vector<TimedFrame> atPace(std::vector<TimedFrame> frames, const Pace& pace) {
-    for (TimedFrame& frame : frames) {
-      frame.clock_ms /= pace.clock;
-      frame.wall_ms /= pace.wall;
-    }
-    return frames;
   }
 
   std::vector<TimedFrame> timedFrames(const TimeSeries& series) const {
@@ -293,7 +271,7 @@ class Trainer {
     return by_median.empty() ? std::vector<TimedFrame>{} : by_median.begin()->second;
   }
 
-  void keepTimes(const std::string& session, const TimedEntry& entry, const TimeSeries& series, const Pace& pace) {
+  void keepTimes(const std::string& session, const TimedEntry& entry, const TimeSeries& series, const SessionPace& pace) {
     const std::vector<TimedFrame> frames = atPace(timedFrames(series), pace);
     const auto append = [&](std::vector<TimedFrame>& to) { to.insert(to.end(), frames.begin(), frames.end()); };
     switch (entry.kind) {

@@ -2,6 +2,7 @@
 //
 // The order of work, each step a prefix of the next larger run (law 9):
 //   1 probe     ranges of payload and depth, at a quarter of the resolution, for every candidate
+//               then what share of the objects has misses, which decides whether leaving out the others is timed
 //   2 errors    of the first training session: every candidate in the base configuration (bilinear, rgba16f, interleaved 16), all periods;
 //               first of as many candidates as are timed, then of the others, if no more than 0.3 of the budget is gone by then
 //   3 costs     in the same session: the candidates whose error there allows any period but 1, in every strategy that the state

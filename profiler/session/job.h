@@ -27,6 +27,7 @@ enum class JobKind {
   kErrors,  // per frame: the original once, then every entry (instrumented packages); rows of errors and counts
   kTimes,   // per round: every entry in turn, the same frame; uninstrumented packages; rows of times
   kProbe,   // entries are rgba32f packages: ranges of payload and depth, non-finite values
+  kObjects, // entries flag their draws: how many objects have misses
   kImages   // one frame of each entry as PNG files
 };
 
@@ -37,7 +38,7 @@ struct Job {
   std::string original_dir;                 // package of the original
   std::vector<JobEntry> entries;
   std::vector<std::string> metrics;         // kErrors: names; besides the cheap ones
-  int frames = 0;                           // kErrors, kProbe: number of frames from 0; 0: the session's
+  int frames = 0;                           // kErrors, kProbe, kObjects: number of frames from 0; 0: the session's
   int rounds = 20;                          // kTimes: after warm-up
   int warmup_frames = 4;
   std::uint32_t width = 0, height = 0;      // 0: the scenario's
@@ -60,12 +61,19 @@ struct ProbeResult {
   std::uint64_t covered = 0;
 };
 
+// Summed over the frames after the first in which draws are flagged; pairs of eyes flag in right ones.
+struct ObjectCounts {
+  std::uint64_t drawn = 0, flagged = 0;
+  bool operator==(const ObjectCounts&) const = default;
+};
+
 struct JobResult {
   std::string device, driver;
   bool cpu_device = false;                       // decides the binding clock: process CPU time, else timestamps
   std::vector<std::vector<ErrorRow>> errors;     // by entry
   std::vector<std::vector<TimeRow>> times;       // by entry; times[e][r] of round r
   std::vector<ProbeResult> probes;               // by entry
+  std::vector<ObjectCounts> objects;             // by entry
   // kImages: paths written: original.png, then per entry cached, error (kImageErrorGain times the difference), hit_miss and payload.
   // An entry that does not count, or has no cache, lacks the last ones. strip_N_original and strip_N_cached as frame N is reached.
   std::vector<std::string> images;

@@ -7,10 +7,12 @@ namespace reprise {
 
 using nlohmann::json;
 
-NLOHMANN_JSON_SERIALIZE_ENUM(JobKind, {{JobKind::kErrors, "errors"}, {JobKind::kTimes, "times"}, {JobKind::kProbe, "probe"}, {JobKind::kImages, "images"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(JobKind, {{JobKind::kErrors, "errors"}, {JobKind::kTimes, "times"}, {JobKind::kProbe, "probe"},
+                                       {JobKind::kObjects, "objects"}, {JobKind::kImages, "images"}})
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(JobEntry, package_dir, period_frames)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Job, kind, scenario_path, session, original_dir, entries, metrics, frames, rounds, warmup_frames, width,
                                    height, device, image_frame, image_dir, strip_frames, fence_timeout_s, run_id)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ObjectCounts, drawn, flagged)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimeRow, run_id, pair, frame, gpu_ms, wall_ms, cpu_ms)
 
 namespace {
@@ -68,7 +70,7 @@ json resultJson(const JobResult& result) {
   }
   for (const ProbeResult& probe : result.probes) probes.push_back(probeJson(probe));
   return {{"device", result.device}, {"driver", result.driver}, {"cpu_device", result.cpu_device}, {"errors", std::move(errors)},
-          {"times", result.times}, {"probes", std::move(probes)}, {"images", result.images}};
+          {"times", result.times}, {"probes", std::move(probes)}, {"objects", result.objects}, {"images", result.images}};
 }
 
 JobResult resultFrom(const json& from) {
@@ -83,6 +85,7 @@ JobResult resultFrom(const json& from) {
   }
   result.times = from.at("times").get<std::vector<std::vector<TimeRow>>>();
   for (const json& probe : from.at("probes")) result.probes.push_back(probeFrom(probe));
+  result.objects = from.at("objects").get<std::vector<ObjectCounts>>();
   result.images = from.at("images").get<std::vector<std::string>>();
   return result;
 }

@@ -7,6 +7,7 @@ Result<JobResult> runJob(const Job& job, const std::function<void(const JobProgr
     case JobKind::kErrors: return runErrors(job, progress);
     case JobKind::kTimes: return runTimes(job, progress);
     case JobKind::kProbe: return runProbe(job, progress);
+    case JobKind::kObjects: return runObjects(job, progress);
     case JobKind::kImages: return runImages(job, progress);
   }
   return Error{ErrorKind::kInput, "job.kind", "an unknown kind of job", {}};

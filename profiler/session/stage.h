@@ -57,6 +57,7 @@ int frameCount(const Job& job, const Stage& stage);
 Result<JobResult> runErrors(const Job& job, const JobListener& progress);
 Result<JobResult> runTimes(const Job& job, const JobListener& progress);
 Result<JobResult> runProbe(const Job& job, const JobListener& progress);
+Result<JobResult> runObjects(const Job& job, const JobListener& progress);
 Result<JobResult> runImages(const Job& job, const JobListener& progress);
 
 }  // namespace reprise

@@ -1,5 +1,7 @@
 #include "runtime/playback/miss_flags.h"
 
+#include <cstring>
+
 namespace reprise {
 namespace {
 
@@ -44,6 +46,20 @@ void MissFlags::clear(const DeviceView& device, VkCommandBuffer commands) const 
   depend(device, commands, kCleared, kFlagged);
 }
 
-void MissFlags::makeVisible(const DeviceView& device, VkCommandBuffer commands) const { depend(device, commands, kFlagged, sideOf(reader_)); }
+std::uint32_t MissFlags::countSet(std::uint32_t count) const {
+  REPRISE_CHECK(count <= capacity_, count, capacity_);
+  std::uint32_t set = 0;
+  for (std::uint32_t index = 0; index < count; ++index) {
+    std::uint32_t flag = 0;
+    std::memcpy(&flag, &flags_.mapped[index * sizeof flag], sizeof flag);
+    set += flag != 0 ? 1 : 0;
+  }
+  return set;
+}
+
+void MissFlags::makeVisible(const DeviceView& device, VkCommandBuffer commands) const {
+  const auto [stages, access] = sideOf(reader_);
+  depend(device, commands, kFlagged, {stages | VK_PIPELINE_STAGE_HOST_BIT, access | VK_ACCESS_HOST_READ_BIT});
+}
 
 }  // namespace reprise

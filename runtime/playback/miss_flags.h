@@ -19,8 +19,11 @@ class MissFlags {
 
   // Records that all flags become 0, after what an earlier frame does with them.
   void clear(const DeviceView& device, VkCommandBuffer commands) const;
-  // Records the dependency of the reader on the fragments before it. Not inside a rendering.
+  // Records the dependency of the reader, and of countSet, on the fragments before it. Not inside a rendering.
   void makeVisible(const DeviceView& device, VkCommandBuffer commands) const;
+
+  // How many of the first `count` flags are set; the device has finished with them.
+  std::uint32_t countSet(std::uint32_t count) const;
 
   VkBuffer buffer() const { return flags_.buffer.get(); }
 

@@ -65,6 +65,7 @@ struct Player::State {
   VkViewport previous_viewport = {};
   std::map<std::uint64_t, DrawBytes> last_draws;
   std::map<std::uint64_t, DrawPlace> places;  // of the frame being recorded
+  const MissFlags* asked_flags = nullptr;     // those by which the last recorded frame draws objects
 
   Result<void> createDescriptors();
   Result<void> resize(VkExtent2D to);
@@ -338,6 +339,7 @@ Result<void> Player::record(VkCommandBuffer commands, const FrameInputs& inputs,
   std::set<std::string> written;
   bool first_rendering = true, drawn = false;
   const MissFlags* flags = state.flagsOf(slot);
+  state.asked_flags = nullptr;
   if (flags != nullptr) flags->clear(device, commands);
   RenderingParts parts{&inputs, &state.images, state.frame, state.application.depth_format, recipe.requirements.stencil, {}, false};
   for (std::uint32_t index = 0; index < pass_count; ++index) {
@@ -366,6 +368,7 @@ Result<void> Player::record(VkCommandBuffer commands, const FrameInputs& inputs,
                            pass.objects == PassObjects::kFlagged ? flags->buffer() : VK_NULL_HANDLE, &drawn});
     if (drawsIn(pass, wholly_due) && pass.kind == PassKind::kDraw) draw(context);
     context.endObject();
+    if (drawsIn(pass, wholly_due) && pass.objects == PassObjects::kFlagged) state.asked_flags = flags;
     // What no draw bound no tile can read: then there is nothing to finish either.
     if (drawsIn(pass, wholly_due) && pass.kind == PassKind::kTiles && drawn) {
       context.bindDraw(state.places.begin()->first);
@@ -404,6 +407,12 @@ std::optional<ResourceImage> Player::resource(const std::string& name) const {
   const TrackedImage& image = found->second.written(state_->frame - 1);
   return ResourceImage{image.image.image.get(), image.image.view.get(), image.image.format,
                        {image.image.extent.width, image.image.extent.height}, image.layout};
+}
+
+std::optional<FlaggedDraws> Player::flaggedDraws() const {
+  if (state_->asked_flags == nullptr) return std::nullopt;
+  const auto drawn = static_cast<std::uint32_t>(state_->places.size());
+  return FlaggedDraws{drawn, state_->asked_flags->countSet(drawn)};
 }
 
 }  // namespace reprise

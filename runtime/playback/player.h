@@ -130,6 +130,11 @@ struct ResourceImage {
   VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
 };
 
+// Of the draws of a frame, those with a miss. Fragments that something hides count too.
+struct FlaggedDraws {
+  std::uint32_t drawn = 0, flagged = 0;
+};
+
 class Player {
  public:
   // Errors: as checkPackage; player.pipeline (kInput: create_info lacks state, or has fewer colour formats than the shader has
@@ -155,6 +160,8 @@ class Player {
   const Recipe& recipe() const;               // the one that is played
   // The image that the last recorded frame wrote; nullopt for a name that the recipe does not have.
   std::optional<ResourceImage> resource(const std::string& name) const;
+  // Of the last recorded frame, which the device has finished; nullopt where no pass of it draws flagged objects.
+  std::optional<FlaggedDraws> flaggedDraws() const;
 
  private:
   struct State;

@@ -41,7 +41,7 @@ class Context {
   std::uint32_t queue_family() const;
   double timestamp_period_ns() const;
   bool has_timestamps() const;
-  bool has_conditional_rendering() const;
+  bool has_conditional_rendering() const;  // VK_EXT_conditional_rendering, enabled
   FunctionSource functions() const;
   // What the validation layer said so far: errors, warnings and hazards, one text each.
   const std::vector<std::string>& validation_messages() const;

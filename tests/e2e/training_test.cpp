@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "cli/report/result.h"
 #include "tests/e2e/refusal.h"
@@ -21,8 +22,9 @@ std::size_t longestLine(const std::string& text) {
 }
 
 // Every error is allowed, so that all candidates are timed.
-Result<RunResult> runWithPeriods(const std::string& periods) {
+Result<RunResult> runWithPeriods(const std::string& periods, const std::function<void(const SmallScenario&)>& change = {}) {
   const SmallScenario scenario;
+  if (change) change(scenario);
   scenario.replace(scenario.toml(), "periods = [1, 2, 4]", "periods = " + periods);
   CommandSpec command = optimizeSmall(scenario);
   const auto threshold = std::find(command.words.begin(), command.words.end(), "--max-error");
@@ -47,6 +49,13 @@ std::vector<RunConfiguration> baseConfigurations(const RunResult& result) {
   return base;
 }
 
+// Why a strategy is refused; empty where it is not.
+std::string refusalOf(const RunResult& result, const std::string& strategy) {
+  for (const std::string& text : result.strategies_refused)
+    if (text.starts_with(strategy + ": ")) return text;
+  return "";
+}
+
 TEST(Training, TimesTheShortestAndTheLongestAcceptablePeriod) {
   const Result<RunResult> result = runWithPeriods("[1, 4, \"never\"]");
   ASSERT_TRUE(result.ok()) << formatError(result.error());
@@ -63,8 +72,36 @@ TEST(Training, TimesTheShortestAndTheLongestAcceptablePeriod) {
 TEST(Training, SaysWhichStrategiesAreRefused) {
   const Result<RunResult> result = runWithPeriods("[1, 2]");
   ASSERT_TRUE(result.ok()) << formatError(result.error());
-  const auto is_stencil = [](const std::string& text) { return text.starts_with("two_pass_stencil: "); };
-  EXPECT_EQ(std::count_if(result->strategies_refused.begin(), result->strategies_refused.end(), is_stencil), 1);
+  EXPECT_NE(refusalOf(*result, "two_pass_stencil"), "");
+  EXPECT_NE(refusalOf(*result, "two_pass_objects").find("there is only one object"), std::string::npos) << refusalOf(*result, "two_pass_objects");
+}
+
+// A second ball, and cameras that stand still or turn.
+Result<RunResult> runOfTwoBalls(bool still) {
+  return runWithPeriods("[1, 2]", [&](const SmallScenario& scenario) {
+    scenario.replace(scenario.toml(), "cull = \"none\"", "cull = \"back\"");
+    scenario.replace(scenario.toml(), "[uniforms]", "[[object]]\nname = \"second\"\nmesh = { kind = \"sphere\", radius = 0.7 }\nmotion = { translate = [0, 0, 1.8] }\n[uniforms]");
+    if (!still) return;
+    scenario.replace(scenario.toml(), "translate = [0, 0, 1.8]", "translate = [2.5, 0, 0]");
+    scenario.replace(scenario.toml(), "{ orbit = { radius = 3.0, radians_per_frame = 0.02 } }", "{ eye = [1, 0, 6], target = [1, 0, 0] }");
+  });
+}
+
+std::size_t configurationsOf(const RunResult& result, const std::string& strategy) {
+  std::size_t count = 0;
+  for (const RunConfiguration& one : baseConfigurations(result)) count += one.strategy == strategy ? 1 : 0;
+  return count;
+}
+
+TEST(Training, TimesLeavingOutObjectsWhereSomeHaveNoMisses) {
+  const Result<RunResult> still = runOfTwoBalls(true);
+  ASSERT_TRUE(still.ok()) << formatError(still.error());
+  EXPECT_EQ(refusalOf(*still, "two_pass_objects"), "");
+  EXPECT_GT(configurationsOf(*still, "two_pass_objects"), 0u);
+  const Result<RunResult> turning = runOfTwoBalls(false);
+  ASSERT_TRUE(turning.ok()) << formatError(turning.error());
+  EXPECT_NE(refusalOf(*turning, "two_pass_objects").find("% of the objects of a frame have some"), std::string::npos) << refusalOf(*turning, "two_pass_objects");
+  EXPECT_EQ(configurationsOf(*turning, "two_pass_objects"), 0u);
 }
 
 TEST(Training, TimesVariantsThatAreNeverRefreshedAlone) {

@@ -40,7 +40,7 @@ TEST(JobJson, ReadsBackEveryField) {
 }
 
 TEST(JobJson, ReadsBackEveryKind) {
-  for (const JobKind kind : {JobKind::kErrors, JobKind::kTimes, JobKind::kProbe, JobKind::kImages}) {
+  for (const JobKind kind : {JobKind::kErrors, JobKind::kTimes, JobKind::kProbe, JobKind::kObjects, JobKind::kImages}) {
     Job job;
     job.kind = kind;
     EXPECT_EQ(jobFromJson(jobToJson(job)).value().kind, kind);
@@ -74,6 +74,7 @@ TEST(JobResultJson, ReadsBackRowsAndKeepsNumbersExactly) {
   probe.covered = 1ull << 40;
   result.probes = {probe};
   result.images = {"a.png", "b.png"};
+  result.objects = {{7, 3}, {1ull << 40, 0}};
   const JobResult read = resultFrom(nlohmann::json::parse(resultJson(result).dump()));
   EXPECT_EQ(read.device, result.device);
   EXPECT_EQ(read.driver, result.driver);
@@ -81,6 +82,7 @@ TEST(JobResultJson, ReadsBackRowsAndKeepsNumbersExactly) {
   EXPECT_EQ(read.errors, result.errors);
   EXPECT_EQ(read.times, result.times);
   EXPECT_EQ(read.images, result.images);
+  EXPECT_EQ(read.objects, result.objects);
   ASSERT_EQ(read.probes.size(), 1u);
   EXPECT_EQ(read.probes[0].entry, 1);
   EXPECT_EQ(read.probes[0].payload_min[2], -0.3f);

@@ -191,6 +191,58 @@ TEST_F(MeasuredVariant, ProbeFindsTheRangesOfPayloadAndDepth) {
   EXPECT_LT(probe.depth_max, 6.0f);
 }
 
+// Two spheres side by side before a camera that stands still: the first does not move, the second does in the other scene.
+std::string sideBySide(const std::string& motion) {
+  const std::filesystem::path shaders = std::filesystem::path(REPRISE_SOURCE_DIR) / "shaders" / "laws";
+  std::string text = textOf(shaders / "straight_line" / "straight_line.toml");
+  const auto replace = [&](const std::string& from, const std::string& to) { text.replace(text.find(from), from.size(), to); };
+  const auto replaceBetween = [&](const std::string& from, const std::string& until, const std::string& to) {
+    const std::size_t start = text.find(from);
+    text.replace(start, text.find(until, start) - start, to);
+  };
+  replace("\"straight_line.frag\"", "\"" + (shaders / "straight_line" / "straight_line.frag").string() + "\"");
+  replace("\"../law.vert\"", "\"" + (shaders / "law.vert").string() + "\"");
+  replaceBetween("[[object]]", "[uniforms]",
+                 "[[object]]\nname = \"left\"\nmesh = { kind = \"sphere\", radius = 0.5 }\nmotion = { translate = [-0.8, 0, 0] }\n"
+                 "[[object]]\nname = \"right\"\nmesh = { kind = \"sphere\", radius = 0.5 }\nmotion = { " + motion + " }\n");
+  replace("camera = { orbit = { radius = 3.4, height = 0.6, radians_per_frame = 0.02 } }", "camera = { eye = [0, 0, 4], target = [0, 0, 0] }");
+  return text;
+}
+
+ObjectCounts countedObjects(const std::string& motion, const JobEntry& period, bool stereo = false) {
+  const TemporaryFolder folder;
+  writeText(folder / "spheres.toml", sideBySide(motion));
+  const MeasuredScene scene((folder / "spheres.toml").string());
+  VariantOptions options = countingVariant();
+  options.strategy = "two_pass_objects";
+  options.instrumented = false;
+  if (stereo) {
+    options.pattern = PatternKind::kWhole;
+    options.previous = PreviousImage::kOtherEye;
+    options.period_frames = 2;
+  }
+  const Result<JobResult> result = run(scene.job(JobKind::kObjects, {scene.variant("flagging", options), period.period_frames}));
+  EXPECT_TRUE(result.ok()) << formatError(result.error());
+  return result.ok() ? result->objects.at(0) : ObjectCounts{};
+}
+
+TEST(MeasuredObjects, HaveMissesWhereTheyMoveOrAreRefreshed) {
+  const std::string still = "translate = [0.8, 0, 0]", turns = still + ", spin_rad_per_frame = 0.05";
+  const JobEntry never{"", kNeverRefresh}, every{"", 1}, second{"", 2};
+  // 12 frames, of which the first does not count.
+  EXPECT_EQ(countedObjects(still, never), (ObjectCounts{22, 0}));
+  EXPECT_EQ(countedObjects(turns, never), (ObjectCounts{22, 11}));
+  EXPECT_EQ(countedObjects(still, every), (ObjectCounts{22, 22}));
+  // Six pairs of eyes: left ones are stored as a whole, right ones flag.
+  EXPECT_EQ(countedObjects(turns, second, true), (ObjectCounts{12, 6}));
+}
+
+TEST_F(MeasuredVariant, CountsNoObjectsOfVariantsThatDoNotFlagThem) {
+  const Result<JobResult> result = run(scene_.job(JobKind::kObjects, {variant_, 4}));
+  ASSERT_TRUE(result.ok()) << formatError(result.error());
+  EXPECT_EQ(result->objects.at(0), (ObjectCounts{0, 0}));
+}
+
 TEST(MeasuredIntegers, AreProbedWithTheirSignsAndPictured) {
   const MeasuredScene scene("shaders/laws/integer/integer.toml");
   VariantOptions options = countingVariant();
