@@ -74,7 +74,7 @@ FrameMacros frameMacros(const FrameMacroSource& source) {
           {"DEPTH_IN_ALPHA", flag(layout.depth_in_alpha)},
           {"AFFINE", flag(layout.affine)},
           {"KEEP_RAW", flag(keeps_raw_payload)},
-          {"QUAD_UNIFORM", flag(program.analysis.takes_derivatives)},
+          {"TAKES_DERIVATIVES", flag(program.analysis.takes_derivatives)},
           {"ORTHOGRAPHIC", flag(options.orthographic)},
           {"BILINEAR", flag(options.filter == Filter::kBilinear)},
           {"INSTRUMENTED", flag(options.instrumented)},

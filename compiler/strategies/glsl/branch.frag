@@ -6,11 +6,19 @@
 #include "history.glsl"
 #include "body.glsl"
 #include "lookup.glsl"
+#if TAKES_DERIVATIVES
+#include "quad.glsl"
+#endif
 #include "count.glsl"
 
 void main() {
   PAYLOAD_VEC texel[TARGETS];
   bool hit = repriseLookup(texel);
+#if TAKES_DERIVATIVES
+  // One miss makes the quad miss.
+  bool miss = !hit;
+  hit = !repriseAnyOfQuad(miss);
+#endif
   if (hit) {
     repriseDecode(texel, reprise_payload);
     reprise_hit();

@@ -54,13 +54,6 @@ bool repriseLookup(out PAYLOAD_VEC texel[TARGETS]) {
   bool guarded = GUARDS_HOLD;
   hit = hit && guarded;
 #endif
-#if QUAD_UNIFORM
-  // One miss makes the quad miss, so that implicit derivatives see four lanes of one path; helper lanes have no vote.
-  float miss = hit || gl_HelperInvocation ? 0.0 : 1.0;
-  miss = min(miss + abs(dFdxFine(miss)), 1.0);
-  miss = min(miss + abs(dFdyFine(miss)), 1.0);
-  hit = miss == 0.0;
-#endif
 #if POISONED
   // For tests: hits get what no shader computed, and keep their depth. Integers stay near: they may bound a loop.
   PAYLOAD_VEC clean = texel[TARGETS - 1];
