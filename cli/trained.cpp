@@ -10,6 +10,10 @@ namespace reprise {
 
 int imagesOf(const Scenario& scenario, int moments) { return scenario.stereo ? 2 * moments : moments; }
 
+double limitFrameTime(const Scenario& scenario, double original_ms, double tail_ms) {
+  return scenario.stereo ? (original_ms + tail_ms) / 2 : tail_ms;
+}
+
 int firstSettledFrame(std::uint32_t period_frames) {
   return period_frames == kNeverRefresh ? 2 : static_cast<int>(2 * period_frames);
 }

@@ -64,6 +64,10 @@ std::vector<TimedFrame> pairedEyes(const std::vector<TimedFrame>& frames);
 // How many images `moments` are: two of each in stereo.
 int imagesOf(const Scenario& scenario, int moments);
 
+// The time that no variant of a payload can beat: that of its tail alone, with a payload that costs nothing. Of a pair of eyes one is computed
+// as the original is, so it is the mean of both.
+double limitFrameTime(const Scenario& scenario, double original_ms, double tail_ms);
+
 // Frames before this one are still under the influence of the all-miss start.
 int firstSettledFrame(std::uint32_t period_frames);
 

@@ -110,8 +110,9 @@ Result<void> measureValidationTimes(const Subject& subject, const Workspace& wor
   run.original_ms = medianOf(at(0).clock);
   run.original_wall_ms = medianOf(at(0).wall);
   run.prepass_ms = entries.prepass >= 0 ? medianOf(at(entries.prepass).clock) : std::numeric_limits<double>::quiet_NaN();
-  run.limit_ms = entries.limit >= 0 ? medianOf(at(entries.limit).clock) : std::numeric_limits<double>::quiet_NaN();
   const int reference = run.prepass_ms < run.original_ms ? entries.prepass : 0;
+  run.limit_ms = entries.limit >= 0 ? limitFrameTime(subject.scenario, medianOf(at(reference).clock), medianOf(at(entries.limit).clock))
+                                    : std::numeric_limits<double>::quiet_NaN();
   run.reference = reference == 0 ? "original" : "original_prepass";
   if (entries.variant < 0 || at(entries.variant).clock.size() != at(reference).clock.size()) return {};
   run.binding = pairedRatio(at(reference).clock, at(entries.variant).clock);
