@@ -14,7 +14,7 @@ const std::string kShaders = std::string(REPRISE_SOURCE_DIR) + "/shaders/laws";
 TEST(CheckCommand, PrintsALineForEachModuleAndASummary) {
   const CommandOutcome outcome = runCommand({REPRISE_EXECUTABLE, "check", kShaders + "/straight_line", kShaders + "/discard/discard.frag"});
   EXPECT_EQ(outcome.status, 0) << outcome.all();
-  EXPECT_NE(outcome.output.find("straight_line.frag: verified (5 variants"), std::string::npos) << outcome.all();
+  EXPECT_NE(outcome.output.find("straight_line.frag: verified (6 variants"), std::string::npos) << outcome.all();
   EXPECT_NE(outcome.output.find("2 modules: 2 verified, 0 refused, 0 untestable, 0 failed, 0 crashed, 0 hung"), std::string::npos) << outcome.all();
 }
 
@@ -26,7 +26,7 @@ TEST(CheckCommand, JsonHasEveryModule) {
   const nlohmann::json modules = nlohmann::json::parse(outcome.output).at("modules");
   ASSERT_EQ(modules.size(), 2u);
   EXPECT_EQ(modules[0].at("verdict"), "verified");
-  EXPECT_EQ(modules[0].at("variants"), 5);
+  EXPECT_EQ(modules[0].at("variants"), 6);
   EXPECT_EQ(modules[1].at("verdict"), "refused");
   EXPECT_EQ(modules[1].at("code"), "candidate.none");
   for (const char* key : {"path", "reason", "candidates", "seconds"}) EXPECT_TRUE(modules[0].contains(key)) << key;

@@ -29,7 +29,7 @@ constexpr const char* kHead = "#version 450\nlayout(location = 0) in vec3 place;
 TEST_F(CheckModule, VerifiesEveryStrategy) {
   const ModuleVerdict verdict = checkText(std::string(kHead) + "void main() { color = vec4(sin(place * 7.0) * exp(place.x), 1.0) * 0.5; }\n");
   EXPECT_EQ(verdict.verdict, Verdict::kVerified) << verdict.code << ' ' << verdict.reason;
-  EXPECT_EQ(verdict.variants, 5);
+  EXPECT_EQ(verdict.variants, 6);
   EXPECT_GE(originals_, 1);
 }
 
