@@ -10,6 +10,8 @@
 #include "runtime/playback/history_images.h"
 #include "runtime/playback/miss_flags.h"
 #include "runtime/playback/pass_pipelines.h"
+#include "runtime/playback/pass_queries.h"
+#include "runtime/playback/recording_pass.h"
 #include "runtime/playback/requirements.h"
 #include "runtime/playback/tile_flags.h"
 
@@ -37,10 +39,15 @@ struct FrameSlot {
   MissFlags draw_flags;
 };
 
-// Where a draw of the frame has its numbers.
-struct DrawPlace {
-  std::uint32_t index = 0;  // among the frame's draws
-  DrawOffsets offsets;
+// What recording a frame carries from pass to pass.
+struct FrameRecording {
+  VkCommandBuffer commands;
+  FrameSlot& slot;
+  const MissFlags* flags;  // of this frame's misses; null where the recipe flags none
+  bool wholly_due;
+  RenderingParts parts;
+  std::set<std::string> written = {};  // resources
+  bool first_rendering = true, drawn = false;
 };
 
 }  // namespace
@@ -75,56 +82,13 @@ struct Player::State {
   // The flags of this frame's misses; null where the recipe flags none.
   const MissFlags* flagsOf(const FrameSlot& slot) const;
   void prepareImages(VkCommandBuffer commands, const Pass& pass, bool first_use_of_frame, std::set<std::string>& written);
+  // Whether any pass of the rendering draws in this frame.
+  bool isRendered(const FrameRecording& recording, int rendering) const;
+  void beginRenderingAt(FrameRecording& recording, std::size_t first);  // its first pass
+  void recordPass(FrameRecording& recording, std::size_t index, const std::function<void(PassContext&)>& draw);
 };
 
 namespace {
-
-class RecordingPass final : public PassContext {
- public:
-  struct Parts {
-    const DeviceView* device;
-    VkCommandBuffer commands;
-    VkPipelineLayout layout;
-    int pass;
-    bool binds;
-    std::uint32_t set_index;
-    VkDescriptorSet set;
-    const std::map<std::uint64_t, DrawPlace>* places;
-    VkBuffer conditions;  // a flag for each draw, without which it is left out; null: all are drawn
-    bool* drawn;          // becomes true with the first draw
-  };
-  explicit RecordingPass(const Parts& parts) : parts_(parts) {}
-
-  VkCommandBuffer commands() const override { return parts_.commands; }
-  VkPipelineLayout layout() const override { return parts_.layout; }
-  int pass() const override { return parts_.pass; }
-  void bindDraw(std::uint64_t id) override {
-    if (!parts_.binds) return;
-    const auto found = parts_.places->find(id);
-    REPRISE_CHECK(found != parts_.places->end(), id);
-    *parts_.drawn = true;
-    const auto& [index, offsets] = found->second;
-    endObject();
-    if (parts_.conditions != VK_NULL_HANDLE) {
-      VkConditionalRenderingBeginInfoEXT condition{VK_STRUCTURE_TYPE_CONDITIONAL_RENDERING_BEGIN_INFO_EXT};
-      condition.buffer = parts_.conditions;
-      condition.offset = index * sizeof(std::uint32_t);
-      parts_.device->fn.vkCmdBeginConditionalRenderingEXT(parts_.commands, &condition);
-      conditional_ = true;
-    }
-    parts_.device->fn.vkCmdBindDescriptorSets(parts_.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, parts_.layout, parts_.set_index, 1,
-                                              &parts_.set, static_cast<std::uint32_t>(offsets.size()), offsets.data());
-  }
-  // After the last draw of an object, or of the pass.
-  void endObject() {
-    if (conditional_) parts_.device->fn.vkCmdEndConditionalRenderingEXT(parts_.commands);
-    conditional_ = false;
-  }
-
- private:
-  Parts parts_;
-  bool conditional_ = false;  // rendering, since the last bindDraw
-};
 
 // "texture albedo" is named by itself and by "albedo", "Scene.light" also by its block "Scene" and its member "light".
 bool namesInput(const std::string& listed, const std::string& input) {
@@ -317,6 +281,42 @@ void Player::State::prepareImages(VkCommandBuffer commands, const Pass& pass, bo
   }
 }
 
+bool Player::State::isRendered(const FrameRecording& recording, int rendering) const {
+  return std::any_of(recipe->passes.begin(), recipe->passes.end(),
+                     [&](const Pass& pass) { return pass.rendering == rendering && drawsIn(pass, recording.wholly_due); });
+}
+
+void Player::State::beginRenderingAt(FrameRecording& recording, std::size_t first) {
+  const Pass& pass = recipe->passes[first];
+  // Reads of later passes of this rendering count too: nothing can be transitioned inside it.
+  Pass all = pass;
+  for (std::size_t other = first + 1; other < recipe->passes.size() && recipe->passes[other].rendering == pass.rendering; ++other)
+    all.reads.insert(all.reads.end(), recipe->passes[other].reads.begin(), recipe->passes[other].reads.end());
+  const bool asks_flags = pass.kind == PassKind::kTiles || pass.objects == PassObjects::kFlagged;
+  if (asks_flags && !options.omit_barrier_for_test) recording.flags->makeVisible(device, recording.commands);
+  prepareImages(recording.commands, all, recording.first_rendering, recording.written);
+  recording.first_rendering = false;
+  beginRendering(device, recording.commands, pass, recording.parts);
+}
+
+void Player::State::recordPass(FrameRecording& recording, std::size_t index, const std::function<void(PassContext&)>& draw) {
+  const Pass& pass = recipe->passes[index];
+  if (!drawsIn(pass, recording.wholly_due)) return;
+  const bool flagged_alone = pass.objects == PassObjects::kFlagged;
+  if (flagged_alone) asked_flags = recording.flags;
+  RecordingPass context({&device, recording.commands, pipelines.layout.get(), static_cast<int>(index), recipe->uses_reprise_set,
+                         recipe->reprise_set, recipe->uses_reprise_set ? recording.slot.sets[index] : VK_NULL_HANDLE, &places,
+                         flagged_alone ? recording.flags->buffer() : VK_NULL_HANDLE, &recording.drawn});
+  if (pass.kind == PassKind::kDraw) {
+    draw(context);
+    context.endObject();
+  } else if (recording.drawn) {
+    // What no draw bound no tile can read: then there is nothing to finish either.
+    context.bindDraw(places.begin()->first);
+    tiles.drawTiles(device, recording.commands);
+  }
+}
+
 Result<void> Player::record(VkCommandBuffer commands, const FrameInputs& inputs, const std::function<void(PassContext&)>& draw) {
   State& state = *state_;
   const DeviceView& device = state.device;
@@ -328,62 +328,30 @@ Result<void> Player::record(VkCommandBuffer commands, const FrameInputs& inputs,
     REPRISE_TRY(state.writeUniforms(inputs, slot));
     state.updateSets(slot);
   }
-  const auto pass_count = static_cast<std::uint32_t>(recipe.passes.size());
   const bool wholly_due = isWhollyDue({recipe.pattern, inputs.period_frames, recipe.block_pixels}, static_cast<std::uint32_t>(state.frame));
-  if (inputs.timestamps != VK_NULL_HANDLE) {
-    device.fn.vkCmdResetQueryPool(commands, inputs.timestamps, inputs.first_query, pass_count + 1);
-    device.fn.vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, inputs.timestamps, inputs.first_query);
-  }
-  if (inputs.occlusion != VK_NULL_HANDLE) device.fn.vkCmdResetQueryPool(commands, inputs.occlusion, inputs.first_occlusion, pass_count);
-
-  std::set<std::string> written;
-  bool first_rendering = true, drawn = false;
-  const MissFlags* flags = state.flagsOf(slot);
+  FrameRecording recording{commands, slot, state.flagsOf(slot), wholly_due,
+                           {&inputs, &state.images, state.frame, state.application.depth_format, recipe.requirements.stencil, {}, false}};
+  const PassQueries queries(device, commands, inputs, static_cast<std::uint32_t>(recipe.passes.size()));
   state.asked_flags = nullptr;
-  if (flags != nullptr) flags->clear(device, commands);
-  RenderingParts parts{&inputs, &state.images, state.frame, state.application.depth_format, recipe.requirements.stencil, {}, false};
-  for (std::uint32_t index = 0; index < pass_count; ++index) {
-    const Pass& pass = recipe.passes[index];
-    const bool rendered = std::any_of(recipe.passes.begin(), recipe.passes.end(), [&](const Pass& other) {
-      return other.rendering == pass.rendering && drawsIn(other, wholly_due);
-    });
-    const bool begins = rendered && (index == 0 || recipe.passes[index - 1].rendering != pass.rendering);
-    const bool ends = rendered && (index + 1 == pass_count || recipe.passes[index + 1].rendering != pass.rendering);
-    if (begins) {
-      // Reads of later passes of this rendering count too: nothing can be transitioned inside it.
-      Pass all = pass;
-      for (std::uint32_t other = index + 1; other < pass_count && recipe.passes[other].rendering == pass.rendering; ++other)
-        all.reads.insert(all.reads.end(), recipe.passes[other].reads.begin(), recipe.passes[other].reads.end());
-      const bool asks_flags = pass.kind == PassKind::kTiles || pass.objects == PassObjects::kFlagged;
-      if (asks_flags && !state.options.omit_barrier_for_test) flags->makeVisible(device, commands);
-      state.prepareImages(commands, all, first_rendering, written);
-      first_rendering = false;
-      beginRendering(device, commands, pass, parts);
-    }
+  if (recording.flags != nullptr) recording.flags->clear(device, commands);
+  for (std::uint32_t index = 0; index < recipe.passes.size(); ++index) {
+    const int rendering = recipe.passes[index].rendering;
+    const bool rendered = state.isRendered(recording, rendering);
+    const bool begins = index == 0 || recipe.passes[index - 1].rendering != rendering;
+    const bool ends = index + 1 == recipe.passes.size() || recipe.passes[index + 1].rendering != rendering;
+    if (rendered && begins) state.beginRenderingAt(recording, index);
     if (rendered) device.fn.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, state.pipelines.pipelines[index].get());
-    if (inputs.occlusion != VK_NULL_HANDLE)
-      device.fn.vkCmdBeginQuery(commands, inputs.occlusion, inputs.first_occlusion + index, VK_QUERY_CONTROL_PRECISE_BIT);
-    RecordingPass context({&device, commands, state.pipelines.layout.get(), static_cast<int>(index), recipe.uses_reprise_set,
-                           recipe.reprise_set, recipe.uses_reprise_set ? slot.sets[index] : VK_NULL_HANDLE, &state.places,
-                           pass.objects == PassObjects::kFlagged ? flags->buffer() : VK_NULL_HANDLE, &drawn});
-    if (drawsIn(pass, wholly_due) && pass.kind == PassKind::kDraw) draw(context);
-    context.endObject();
-    if (drawsIn(pass, wholly_due) && pass.objects == PassObjects::kFlagged) state.asked_flags = flags;
-    // What no draw bound no tile can read: then there is nothing to finish either.
-    if (drawsIn(pass, wholly_due) && pass.kind == PassKind::kTiles && drawn) {
-      context.bindDraw(state.places.begin()->first);
-      state.tiles.drawTiles(device, commands);
-    }
-    if (inputs.occlusion != VK_NULL_HANDLE) device.fn.vkCmdEndQuery(commands, inputs.occlusion, inputs.first_occlusion + index);
-    if (ends) device.fn.vkCmdEndRendering(commands);
-    if (inputs.timestamps != VK_NULL_HANDLE)
-      device.fn.vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, inputs.timestamps, inputs.first_query + index + 1);
+    queries.beginCounting(index);
+    state.recordPass(recording, index, draw);
+    queries.endCounting(index);
+    if (rendered && ends) device.fn.vkCmdEndRendering(commands);
+    queries.stampEnd(index);
   }
   for (auto& [name, resource] : state.images)
     for (TrackedImage& image : resource.images) transition(device, commands, image, {});
   state.previous_viewport = inputs.viewport;
   state.history_valid = std::all_of(recipe.resources.begin(), recipe.resources.end(), [&](const Resource& resource) {
-    return resource.lifetime == Lifetime::kFrame || written.count(resource.name) != 0;
+    return resource.lifetime == Lifetime::kFrame || recording.written.count(resource.name) != 0;
   });
   ++state.frame;
   return {};
