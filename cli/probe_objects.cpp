@@ -40,7 +40,10 @@ Result<std::map<std::string, std::string>> strategiesWithoutIdleObjects(const Su
       job.session = session.name;
       const Result<JobResult> result = superviseJob(job, measuring.supervisor, measuring.progress);
       if (!result.ok() && result.error().kind != ErrorKind::kMeasurement) return result.error();
-      if (!result.ok()) break;
+      if (!result.ok()) {
+        if (result.error().code == "player.requirement") reasons[strategy.name] = result.error().message;
+        break;
+      }
       counts.drawn += result->objects.at(0).drawn;
       counts.flagged += result->objects.at(0).flagged;
     }

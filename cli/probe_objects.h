@@ -22,8 +22,8 @@ struct ObjectProbe {
   ValueRanges ranges;
 };
 
-// The selectable strategies of that kind that are not worth timing, each with the reason. A strategy that is refused or fails by itself is
-// in none: what times it says so. Errors: kInterrupted and kMachine.
+// The selectable strategies of that kind that are not worth timing, or that the device cannot play, each with the reason. What is refused by
+// shader or state, or fails, is not among them: what times it says so. Errors: kInterrupted and kMachine.
 Result<std::map<std::string, std::string>> strategiesWithoutIdleObjects(const Subject& subject, const Workspace& workspace, const Measuring& measuring,
                                                                         const ObjectProbe& probe, Progress& progress);
 

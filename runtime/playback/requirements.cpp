@@ -35,7 +35,7 @@ std::string missingState(const Recipe& recipe, const ApplicationPipeline& applic
   if (recipe.requirements.shared_inputs && !application.draws_share_inputs)
     return "the strategy needs all draws of a frame to share what the fragment shader reads, which the application does not say (ApplicationPipeline::draws_share_inputs)";
   if (recipe.requirements.conditional_rendering && !application.conditional_rendering)
-    return "the strategy needs VK_EXT_conditional_rendering, which the application does not say that it has enabled (ApplicationPipeline::conditional_rendering)";
+    return "the strategy needs VK_EXT_conditional_rendering, which the device lacks or the application does not enable (ApplicationPipeline::conditional_rendering)";
   return "";
 }
 
