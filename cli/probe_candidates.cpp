@@ -4,26 +4,14 @@
 
 #include <algorithm>
 
+#include "cli/probe_job.h"
 #include "cli/train.h"
 
 namespace reprise {
 namespace {
 
 constexpr int kProbeFrames = 12;
-constexpr std::uint32_t kProbeScale = 4;
 constexpr float kPayloadMargin = 0.05f;
-
-Job probeJob(const Measuring& measuring) {
-  Job job;
-  job.kind = JobKind::kProbe;
-  job.scenario_path = measuring.scenario_path;
-  job.original_dir = measuring.original_dir;
-  job.device = measuring.device;
-  job.frames = kProbeFrames;
-  job.width = std::max(64u, measuring.base.width / kProbeScale);
-  job.height = std::max(36u, measuring.base.height / kProbeScale);
-  return job;
-}
 
 void merge(ProbeResult& all, const ProbeResult& probe) {
   for (std::size_t channel = 0; channel < kMostPayloadChannels; ++channel) {
@@ -83,7 +71,7 @@ ValueRanges unprobedRanges(const Subject& subject) {
 
 Result<ProbedRanges> probeCandidates(const Subject& subject, const Workspace& workspace, const Measuring& measuring, Progress& progress) {
   ProbedRanges probed;
-  Job job = probeJob(measuring);
+  Job job = probeJob(measuring, JobKind::kProbe, kProbeFrames);
   std::vector<std::size_t> entries;  // candidate of each
   for (std::size_t candidate = 0; candidate < subject.candidates.size(); ++candidate) {
     if (!subject.candidates[candidate].kept()) continue;

@@ -2,29 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "cli/probe_job.h"
 #include "cli/train.h"
 
 namespace reprise {
 namespace {
 
 constexpr int kProbeFrames = 16;
-constexpr std::uint32_t kProbeScale = 4;
 
 }  // namespace
 
 Result<std::map<std::string, std::string>> strategiesWithoutIdleObjects(const Subject& subject, const Workspace& workspace, const Measuring& measuring,
                                                                         const ObjectProbe& probe, Progress& progress) {
   std::map<std::string, std::string> reasons;
-  Job job;
-  job.kind = JobKind::kObjects;
-  job.scenario_path = measuring.scenario_path;
-  job.original_dir = measuring.original_dir;
-  job.device = measuring.device;
-  job.frames = kProbeFrames;
-  job.width = std::max(64u, measuring.base.width / kProbeScale);
-  job.height = std::max(36u, measuring.base.height / kProbeScale);
+  Job job = probeJob(measuring, JobKind::kObjects, kProbeFrames);
   for (const Strategy& strategy : strategies()) {
     if (!strategy.selectable || !flagsDraws(strategy)) continue;
     VariantOptions options = baseOptions(subject, probe.ranges, subject.candidates[probe.candidate]);
