@@ -13,6 +13,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <nlohmann/json.hpp>
 
 #include "bench/probe_ranges.h"
@@ -138,8 +139,9 @@ Result<std::vector<Row>> measure(const Bench& bench, const Run& run, const Works
 }
 
 nlohmann::json toJson(const Row& row) {
-  return {{"scene", row.scene}, {"period_frames", row.period_frames == kNeverRefresh ? nlohmann::json() : nlohmann::json(row.period_frames)}, {"objects_with_misses", row.objects_with_misses ? nlohmann::json(*row.objects_with_misses) : nlohmann::json()},
-          {"triangles", row.triangles}, {"octaves", row.octaves}, {"strategy", row.strategy}, {"frame_ms", row.frame_ms},
+  const auto period = row.period_frames == kNeverRefresh ? nlohmann::json() : nlohmann::json(row.period_frames);
+  const auto objects = row.objects_with_misses ? nlohmann::json(*row.objects_with_misses) : nlohmann::json();
+  return {{"scene", row.scene}, {"period_frames", period}, {"objects_with_misses", objects}, {"triangles", row.triangles}, {"octaves", row.octaves}, {"strategy", row.strategy}, {"frame_ms", row.frame_ms},
           {"speedup", row.speedup.ratio}, {"speedup_ci95", {row.speedup.lo, row.speedup.hi}}};
 }
 

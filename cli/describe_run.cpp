@@ -213,7 +213,7 @@ std::vector<RunCandidate> describeCandidates(const Subject& subject, const Train
       }
       if (!timed) entry.configurations.push_back(untimedConfiguration(errors, subject, metric));
     }
-    if (const auto limit = training.limits.find(index); limit != training.limits.end()) 
+    if (const auto limit = training.limits.find(index); limit != training.limits.end())
       entry.limit_frame_ms = known(limitFrameTime(subject.scenario, fitted.input.original_frame_ms, medianOf(clockTimes(limit->second, false))));
     describeStatus(training, index, candidate, has_rows, entry);
     described.push_back(std::move(entry));

@@ -37,7 +37,7 @@ Result<ShaderInterface> interfaceFromJson(const std::string& text);
 Result<void> writePackageFiles(const Package& package, const std::filesystem::path& directory);
 
 // Errors (kInput, each naming the file): package.missing, package.manifest (not JSON, a key missing or of a wrong type),
-// package.version (newer format), package.tampered (a module's hash differs), package.inconsistent (a pass that names a
+// package.version (another format), package.tampered (a module's hash differs), package.inconsistent (a pass that names a
 // module or resource that is not there, a binding out of range, counts beyond kMaxPasses...).
 Result<Package> readPackage(const std::filesystem::path& directory);
 

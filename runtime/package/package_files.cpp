@@ -74,9 +74,9 @@ Result<Package> readFrom(const FileSource& source, const std::filesystem::path& 
     const json document = parseJson(text);
     const json& body = document.at("package");
     const int version = integerAt<int>(body, "format_version");
-    if (version > kRecipeFormatVersion)
-      return manifestError(file, "package.version", "the package has format " + std::to_string(version) +
-                                                        "; this version of Reprise reads up to " + std::to_string(kRecipeFormatVersion));
+    if (version != kRecipeFormatVersion)
+      return manifestError(file, "package.version", "the package has format " + std::to_string(version) + ", this version of Reprise reads format " +
+                                                        std::to_string(kRecipeFormatVersion) + "; make the package with it ('reprise emit' or 'optimize')");
     if (document.at("hash") != contentHash(jsonText(body)))
       return manifestError(file, "package.tampered", "the manifest was changed after it was written; run the optimizer again");
     package.tool_version = textAt(body, "tool_version");

@@ -72,8 +72,12 @@ TEST_F(ForgedPackage, UnknownSpellingsAreRefusedByName) {
   }
 }
 
-TEST_F(ForgedPackage, NewerFormatIsToldFromDamage) {
-  EXPECT_EQ(errorWith([](json& body) { body["format_version"] = kRecipeFormatVersion + 1; }).code, "package.version");
+TEST_F(ForgedPackage, OlderAndNewerFormatsAreToldFromDamage) {
+  for (const int version : {kRecipeFormatVersion - 1, kRecipeFormatVersion + 1}) {
+    const Error refused = errorWith([&](json& body) { body["format_version"] = version; });
+    EXPECT_EQ(refused.code, "package.version");
+    EXPECT_NE(refused.message.find("format " + std::to_string(version) + ","), std::string::npos) << refused.message;
+  }
 }
 
 TEST_F(ForgedPackage, DeepNestingIsRefusedBeforeItFillsTheStack) {
