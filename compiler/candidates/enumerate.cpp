@@ -45,6 +45,8 @@ DropReason firstReason(const Candidate& candidate, const Surroundings& around) {
     return {"type.unsupported", "only 16- and 32-bit floats, 32-bit integers, booleans and vectors of them can be kept"};
   if (node.loop_depth > 0)
     return {"place.loop", "it is computed inside a loop, so one pixel has many of it"};
+  if (around.shader.return_flags.count(candidate.values.front().value) != 0)
+    return {"value.return_flag", "it only says whether a function has returned"};
   if (!dependsOnPixel(candidate, around.analysis))
     return {"value.uniform", "it is the same for all pixels"};
   if (onlyRearranges(node.instruction->opcode) || node.instruction->opcode == Op::OpLoad)

@@ -5,8 +5,6 @@
 namespace reprise {
 namespace {
 
-using Edges = std::vector<std::vector<int>>;
-
 // Post-order over `edges` from `entry`, without recursion: shaders may be thousands of blocks deep.
 std::vector<int> postOrder(const Edges& edges, int entry) {
   std::vector<int> order;
@@ -29,11 +27,8 @@ std::vector<int> postOrder(const Edges& edges, int entry) {
   return order;
 }
 
-struct DominatorTree {
-  std::vector<int> parent;  // kNoBlock for the root and what it does not reach
-};
-
-DominatorTree dominatorTree(const Edges& successors, const Edges& predecessors, int root) {
+// Immediate dominators; kNoBlock for the root and what it does not reach.
+std::vector<int> dominatorsFrom(const Edges& successors, const Edges& predecessors, int root) {
   const std::vector<int> post_order = postOrder(successors, root);
   std::vector<int> number(successors.size(), -1);
   for (std::size_t i = 0; i < post_order.size(); ++i) number[static_cast<std::size_t>(post_order[i])] = static_cast<int>(i);
@@ -62,7 +57,7 @@ DominatorTree dominatorTree(const Edges& successors, const Edges& predecessors, 
     }
   }
   at(parent, root) = kNoBlock;
-  return {std::move(parent)};
+  return parent;
 }
 
 void findLoops(ControlFlow& flow) {
@@ -103,7 +98,7 @@ void findControllers(ControlFlow& flow, const Function& function) {
   for (const int block : postOrder(backward, exit)) exits[static_cast<std::size_t>(block)] = true;
   for (const Loop& loop : flow.loops)
     if (!exits[static_cast<std::size_t>(loop.header)]) join(loop.header);
-  const std::vector<int> post_dominator = dominatorTree(backward, forward, exit).parent;
+  const std::vector<int> post_dominator = dominatorsFrom(backward, forward, exit);
   flow.controllers.assign(count, {});
   for (std::size_t block = 0; block < count; ++block) {
     if (!flow.reachable[block] || forward[block].size() < 2) continue;
@@ -138,6 +133,10 @@ bool dominates(const ControlFlow& flow, int dominator, int block) {
   return block == dominator;
 }
 
+std::vector<int> immediateDominators(const Edges& successors, const Edges& predecessors) {
+  return dominatorsFrom(successors, predecessors, 0);
+}
+
 ControlFlow analyseControlFlow(const Function& function) {
   ControlFlow flow;
   const std::size_t count = function.blocks.size();
@@ -157,7 +156,7 @@ ControlFlow analyseControlFlow(const Function& function) {
   flow.order = postOrder(flow.successors, 0);
   std::reverse(flow.order.begin(), flow.order.end());
   for (const int block : flow.order) flow.reachable[static_cast<std::size_t>(block)] = true;
-  flow.immediate_dominator = dominatorTree(flow.successors, flow.predecessors, 0).parent;
+  flow.immediate_dominator = dominatorsFrom(flow.successors, flow.predecessors, 0);
   findLoops(flow);
   findControllers(flow, function);
   return flow;

@@ -15,6 +15,8 @@ namespace reprise {
 
 inline constexpr int kNoBlock = -1;
 
+using Edges = std::vector<std::vector<int>>;  // by block: the blocks at the other ends
+
 struct Loop {
   int header = 0;
   std::vector<bool> contains;  // by block; the blocks that can reach a back edge, header included
@@ -22,7 +24,7 @@ struct Loop {
 
 struct ControlFlow {
   std::unordered_map<std::uint32_t, int> block_of_label;
-  std::vector<std::vector<int>> successors, predecessors;
+  Edges successors, predecessors;
   std::vector<bool> reachable;
   std::vector<int> order;                       // reachable blocks in reverse post-order
   std::vector<int> immediate_dominator;         // kNoBlock for the entry and unreachable blocks
@@ -32,6 +34,8 @@ struct ControlFlow {
 
 ControlFlow analyseControlFlow(const Function& function);
 bool dominates(const ControlFlow& flow, int dominator, int block);
+// Of a graph whose entry is block 0; kNoBlock for the entry and what it does not reach.
+std::vector<int> immediateDominators(const Edges& successors, const Edges& predecessors);
 // Labels that a terminator may go to.
 std::vector<std::uint32_t> targetsOf(const Instruction& terminator);
 

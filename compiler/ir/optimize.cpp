@@ -3,8 +3,6 @@
 #include <functional>
 #include <spirv-tools/optimizer.hpp>
 
-#include "compiler/source/module_limits.h"
-
 namespace reprise {
 
 // None of the lists of passes below merges blocks: loops whose body or condition is merged with their continue block, or that are
@@ -42,40 +40,7 @@ Result<Module> runPasses(const Module& module, const std::function<void(spvtools
   return readModule(optimized);
 }
 
-Result<Module> runInlining(const Module& module) {
-  return runPasses(module, [](spvtools::Optimizer& optimizer) {
-    optimizer.RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())
-        .RegisterPass(spvtools::CreateMergeReturnPass())
-        .RegisterPass(spvtools::CreateInlineExhaustivePass())
-        .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())
-        .RegisterPass(spvtools::CreatePrivateToLocalPass());
-  });
-}
-
 }  // namespace
-
-Result<Module> inlineCalls(const Module& module) {
-  REPRISE_ASSIGN(Module inlined, runInlining(module));
-  if (const Result<void> small = checkModuleLimits(writeModule(inlined)); !small.ok())
-    return Error{ErrorKind::kRefused, "shader.limit", "with all calls inlined " + small.error().message, {}};
-  return inlined;
-}
-
-Result<Module> promoteToSsa(const Module& module) {
-  return runPasses(module, [](spvtools::Optimizer& optimizer) {
-    optimizer.RegisterPass(spvtools::CreateLocalAccessChainConvertPass())
-        .RegisterPass(spvtools::CreateScalarReplacementPass(100))
-        .RegisterPass(spvtools::CreateLocalAccessChainConvertPass())
-        .RegisterPass(spvtools::CreateSSARewritePass())
-        .RegisterPass(spvtools::CreateDeadBranchElimPass())
-        .RegisterPass(spvtools::CreateAggressiveDCEPass(true))
-        // Variables whose access chains were converted are seen as such once the dead chains are gone.
-        .RegisterPass(spvtools::CreateSSARewritePass())
-        .RegisterPass(spvtools::CreateAggressiveDCEPass(true))
-        .RegisterPass(spvtools::CreateCFGCleanupPass())
-        .RegisterPass(spvtools::CreateAggressiveDCEPass(true));
-  });
-}
 
 Result<Module> unrollMarkedLoops(const Module& module) {
   return runPasses(module, [](spvtools::Optimizer& optimizer) {

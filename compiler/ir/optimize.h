@@ -6,14 +6,6 @@
 
 namespace reprise {
 
-// Functions inlined into the entry point where the language allows, early returns merged where that needs it, structs and
-// arrays of locals split, private variables made local. Names and lines are kept. Errors: shader.limit (kRefused) where the result has more
-// of something than module_limits.h allows.
-Result<Module> inlineCalls(const Module& module);
-
-// Local variables promoted to SSA values, dead code and dead branches removed.
-Result<Module> promoteToSsa(const Module& module);
-
 // Code that no output, storage write or discard of any entry point needs is removed, with unused globals.
 Result<Module> removeDeadCode(const Module& module);
 

@@ -1,11 +1,15 @@
 #include "compiler/ir/prepare.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <unordered_set>
+#include <vector>
 
+#include "compiler/ir/inline_calls.h"
 #include "compiler/ir/loop_results.h"
-#include "compiler/ir/optimize.h"
+#include "compiler/ir/promote_to_ssa.h"
+#include "compiler/ir/return_flags.h"
 #include "compiler/ir/unroll.h"
 
 namespace reprise {
@@ -149,22 +153,27 @@ void foldCopies(PreparedShader& shader, const LineNames& on_lines, const std::un
   });
 }
 
-// A phi that joins values of one name has that name: a variable that was assigned on several paths.
+// A phi has the name of the variable that it was made for; one that came with the module, that of the values it joins, if they have
+// one in common. Its line is that of an assignment that it joins.
 void namePhis(PreparedShader& shader) {
-  const auto nameJoined = [&](const Instruction& phi) -> const NamedValue* {
-    const NamedValue* joined = nullptr;
-    for (std::size_t i = 0; i < phi.operands.size(); i += 2) {
-      const auto name = shader.named.find(phi.word(i));
-      if (name == shader.named.end()) continue;
-      if (joined != nullptr && joined->name != name->second.name) return nullptr;
-      joined = &name->second;
-    }
+  const auto own_names = namesById(shader.module);
+  const auto namesJoined = [&](const Instruction& phi) {
+    std::vector<NamedValue> joined;
+    for (std::size_t i = 0; i < phi.operands.size(); i += 2)
+      if (const auto name = shader.named.find(phi.word(i)); name != shader.named.end()) joined.push_back(name->second);
     return joined;
   };
   for (const Block& block : findFunction(shader.module, shader.entry_function)->blocks)
-    for (const Instruction& instruction : block.instructions)
-      if (instruction.opcode == Op::OpPhi && shader.named.count(instruction.result_id) == 0)
-        if (const NamedValue* name = nameJoined(instruction)) shader.named[instruction.result_id] = NamedValue(*name);
+    for (const Instruction& instruction : block.instructions) {
+      if (instruction.opcode != Op::OpPhi || shader.named.count(instruction.result_id) != 0) continue;
+      const std::vector<NamedValue> joined = namesJoined(instruction);
+      const auto own = own_names.find(instruction.result_id);
+      if (own != own_names.end() && own->second != kArgumentTemporary) {
+        shader.named[instruction.result_id] = {own->second, joined.empty() ? instruction.line : joined.front().line};
+      } else if (!joined.empty() && std::all_of(joined.begin(), joined.end(), [&](const NamedValue& one) { return one.name == joined.front().name; })) {
+        shader.named[instruction.result_id] = joined.front();
+      }
+    }
 }
 
 // What a loop leaves behind gets the name that the loop's value has.
@@ -217,7 +226,8 @@ Result<PreparedShader> prepareForCaching(const Module& module, const std::string
                            "' cannot be inlined, so its values cannot be told apart", {}};
   const LineNames on_lines = namesStoredOnLines(module);
   REPRISE_ASSIGN(Module promoted, promoteToSsa(nameStoredValues(inlined, function_id, on_lines)));
-  PreparedShader shader{std::move(promoted), function_id, {}};
+  PreparedShader shader{std::move(promoted), function_id, {}, {}};
+  dropReturnFlagNames(shader.module);
   REPRISE_CHECK(findFunction(shader.module, function_id) != nullptr, name);
   // Counters first: a loop whose step is a copy is not seen to count.
   foldCopies(shader, on_lines, counterTypes(shader.module));
@@ -225,6 +235,7 @@ Result<PreparedShader> prepareForCaching(const Module& module, const std::string
   foldCopies(shader, on_lines);
   namePhis(shader);
   nameLoopResults(shader);
+  if (hasReturnFlags(inlined)) shader.return_flags = flagsOfReturns(shader.module, function_id);
   return shader;
 }
 

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "compiler/ir/module.h"
 
@@ -25,6 +26,7 @@ struct PreparedShader {
   Module module;
   std::uint32_t entry_function = 0;
   std::unordered_map<std::uint32_t, NamedValue> named;  // by result id
+  std::unordered_set<std::uint32_t> return_flags;       // values that inlining made, no candidates (return_flags.h)
 };
 
 // Errors: spirv.entry_point (kInput; there is no entry point `entry_point`, or not exactly one where it is empty),

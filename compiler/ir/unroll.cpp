@@ -6,6 +6,7 @@
 #include "compiler/ir/control_flow.h"
 #include "compiler/ir/fold_constants.h"
 #include "compiler/ir/optimize.h"
+#include "compiler/ir/promote_to_ssa.h"
 #include "compiler/ir/trip_count.h"
 
 namespace reprise {

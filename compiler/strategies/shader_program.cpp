@@ -1,6 +1,6 @@
 #include "compiler/strategies/shader_program.h"
 
-#include "compiler/ir/optimize.h"
+#include "compiler/ir/inline_calls.h"
 #include "compiler/source/reflect.h"
 #include "runtime/base/file.h"
 #include "runtime/base/hash.h"

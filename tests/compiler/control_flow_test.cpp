@@ -5,7 +5,8 @@
 
 #include "compiler/analysis/value_graph.h"
 #include "compiler/ir/control_flow.h"
-#include "compiler/ir/optimize.h"
+#include "compiler/ir/inline_calls.h"
+#include "compiler/ir/promote_to_ssa.h"
 #include "tests/compiler/analysed_shader.h"
 
 namespace reprise {

@@ -4,8 +4,10 @@
 
 #include <filesystem>
 
+#include "compiler/ir/inline_calls.h"
 #include "compiler/ir/module.h"
 #include "compiler/ir/optimize.h"
+#include "compiler/ir/promote_to_ssa.h"
 #include "compiler/source/validate.h"
 #include "tests/compiler/analysed_shader.h"
 

@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "compiler/ir/inline_calls.h"
 #include "compiler/ir/optimize.h"
 #include "compiler/source/validate.h"
 #include "compiler/strategies/frame_source.h"
