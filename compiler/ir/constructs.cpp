@@ -59,7 +59,7 @@ bool Constructs::continues(const Construct& loop, int block) const {
 const Construct* Constructs::breakable(int block) const {
   const Construct* innermost = nullptr;
   for (const Construct& construct : all_) {
-    if (construct.kind == ConstructKind::kSelection || !contains(construct, block)) continue;
+    if (construct.kind == ConstructKind::kSelection || construct.header == block || !contains(construct, block)) continue;
     if (innermost == nullptr || dominates(innermost->header, construct.header)) innermost = &construct;
   }
   return innermost;

@@ -24,7 +24,8 @@ class Constructs {
   bool contains(const Construct& construct, int block) const;
   // Blocks from the continue target to the back edge: they leave the loop by the back-edge block alone.
   bool continues(const Construct& loop, int block) const;
-  // The innermost loop or switch around a block, whose merge block it may branch to; null if there is none.
+  // The innermost loop or switch around a block, whose merge block may be branched to before it; one that begins in the block is not
+  // around it. Null if there is none.
   const Construct* breakable(int block) const;
 
  private:
