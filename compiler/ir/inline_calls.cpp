@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "compiler/ir/builder.h"
+#include "compiler/ir/constructs.h"
 #include "compiler/ir/control_flow.h"
 #include "compiler/ir/live_names.h"
 #include "compiler/ir/private_variables.h"
@@ -171,8 +172,22 @@ class Inliner {
     return stores;
   }
 
+  // A continue construct is left by its back edge alone: nothing may end the invocation in it.
+  static bool endsWhereItMayNot(const Function& body, const Function& caller, std::size_t index) {
+    const bool ends = std::any_of(body.blocks.begin(), body.blocks.end(), [](const Block& block) {
+      const Op last = block.terminator().opcode;
+      return last == Op::OpKill || last == Op::OpTerminateInvocation || last == Op::OpUnreachable;
+    });
+    if (!ends) return false;
+    const ControlFlow flow = analyseControlFlow(caller);
+    const Constructs constructs(caller, flow);
+    return std::any_of(constructs.all().begin(), constructs.all().end(),
+                       [&](const Construct& loop) { return constructs.continues(loop, static_cast<int>(index)); });
+  }
+
   bool placeBody(Function& function, std::size_t index, std::size_t at) {
     const Function& body = callee(function.blocks[index].instructions[at].word(0)).function;
+    if (endsWhereItMayNot(body, function, index)) return false;
     const bool one_block = body.blocks.size() == 1;
     const bool in_loop_header = std::any_of(function.blocks[index].instructions.begin(), function.blocks[index].instructions.end(),
                                             [](const Instruction& one) { return one.opcode == Op::OpLoopMerge; });
@@ -278,7 +293,7 @@ class Inliner {
         if (operand.is_id && operand.words[0] == begin.label) operand.words[0] = back;
     }
     begin.instructions.push_back(loop_merge);
-    begin.instructions.push_back(makeInstruction(Op::OpBranch, 0, 0, {idOperand(body.label)}));
+    Builder(module_, begin.instructions, loop_merge.line).branch(body.label);
     const std::uint32_t header_label = begin.label, body_label = body.label;
     added.insert(added.begin(), std::move(body));
     function.blocks.insert(function.blocks.begin() + static_cast<std::ptrdiff_t>(index) + 1, std::make_move_iterator(added.begin()),

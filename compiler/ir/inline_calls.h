@@ -14,8 +14,8 @@
 namespace reprise {
 
 // All calls of the entry points' functions, at every depth; other functions are dropped.
-// A call stays where SPIR-V has no place for the blocks: of a function that returns from the continue construct of a loop, of one
-// that calls itself, or in a loop header that branches two ways into its loop.
+// A call stays where SPIR-V has no place for the blocks: of a function that returns from the continue construct of a loop, or that
+// discards and is called from one; of one that calls itself; and in a loop header that branches two ways into its loop.
 // Errors: shader.limit (kRefused) where the result has more of something than module_limits.h allows.
 Result<Module> inlineCalls(const Module& module);
 

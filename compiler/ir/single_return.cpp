@@ -7,6 +7,7 @@
 #include "compiler/ir/builder.h"
 #include "compiler/ir/constructs.h"
 #include "compiler/ir/globals.h"
+#include "compiler/ir/mend_dominance.h"
 #include "compiler/ir/return_flags.h"
 #include "compiler/ir/unreachable_blocks.h"
 
@@ -48,11 +49,16 @@ class ReturnMerger {
     }
     for (const int block : returning)
       if (!leaves(block)) return std::nullopt;
+    // A block that is never run ends like a return where that adds no flag, so that the function is left by its end alone.
+    for (std::size_t block = 0; block < blocks().size(); ++block)
+      if (blocks()[block].terminator().opcode == Op::OpUnreachable && leavesLikeReturns(static_cast<int>(block)))
+        returning.push_back(static_cast<int>(block));
     end_ = module_.freshId();
     addVariables();
     for (const int block : returning) replaceReturn(block);
     testFlags();
     wrap();
+    mendDominance(module_, result_.function);
     return std::move(result_.function);
   }
 
@@ -80,6 +86,13 @@ class ReturnMerger {
       block = construct->merge;
     }
     return true;
+  }
+
+  bool leavesLikeReturns(int block) const {
+    for (const Construct& loop : constructs_.all())
+      if (constructs_.continues(loop, block)) return false;
+    const Construct* construct = constructs_.breakable(block);
+    return construct == nullptr || left_.count(construct->merge) != 0;
   }
 
   // Where a block goes to leave what is around it.
