@@ -25,10 +25,15 @@ using Ids = std::unordered_map<std::uint32_t, std::uint32_t>;
 class NamesAndDecorations {
  public:
   explicit NamesAndDecorations(const Module& module) {
-    for (const auto* section : {&module.names, &module.annotations})
-      for (const Instruction& about : *section)
-        if ((about.opcode == Op::OpName || about.opcode == Op::OpDecorate || about.opcode == Op::OpDecorateId) && !about.operands.empty())
-          about_[about.word(0)].push_back(about);
+    learn(module.names, 0);
+    learn(module.annotations, 0);
+  }
+
+  // What a section has from `first` on.
+  void learn(const std::vector<Instruction>& section, std::size_t first) {
+    for (std::size_t i = first; i < section.size(); ++i)
+      if (section[i].opcode == Op::OpName || section[i].opcode == Op::OpDecorate || section[i].opcode == Op::OpDecorateId)
+        about_[section[i].word(0)].push_back(section[i]);
   }
 
   void copy(Module& module, std::uint32_t from, std::uint32_t to) {
@@ -105,7 +110,9 @@ class Inliner {
     Callee made{*original, false};
     if (!original->blocks.empty() && open_.count(id) == 0) {
       made.function = flattened(*original);
+      const std::size_t names = module_.names.size();
       if (auto single = withSingleReturn(module_, made.function)) {
+        about_.learn(module_.names, names);
         made.function = std::move(*single);
         made.can_be_inlined = true;
       }
