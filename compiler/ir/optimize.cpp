@@ -3,6 +3,9 @@
 #include <functional>
 #include <spirv-tools/optimizer.hpp>
 
+#include "compiler/ir/private_variables.h"
+#include "compiler/ir/promote_to_ssa.h"
+
 namespace reprise {
 
 // None of the lists of passes below merges blocks: loops whose body or condition is merged with their continue block, or that are
@@ -52,14 +55,8 @@ Result<Module> unrollMarkedLoops(const Module& module) {
 }
 
 Result<Module> removeDeadCode(const Module& module) {
-  return runPasses(module, [](spvtools::Optimizer& optimizer) {
-    optimizer.RegisterPass(spvtools::CreatePrivateToLocalPass())
-        .RegisterPass(spvtools::CreateLocalSingleStoreElimPass())
-        .RegisterPass(spvtools::CreateAggressiveDCEPass(true))
-        .RegisterPass(spvtools::CreateVectorDCEPass())
-        .RegisterPass(spvtools::CreateAggressiveDCEPass(true))
-        .RegisterPass(spvtools::CreateCFGCleanupPass());
-  });
+  REPRISE_ASSIGN(const Module promoted, promoteToSsa(privatesToLocals(module)));
+  return runPasses(promoted, [](spvtools::Optimizer& optimizer) { optimizer.RegisterPass(spvtools::CreateAggressiveDCEPass(true)); });
 }
 
 Result<Module> stripForShipping(const Module& module) {
