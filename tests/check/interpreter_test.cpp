@@ -253,6 +253,64 @@ TEST(InterpreterHashes, TexturesAreTheirBindingsAndOperands) {
     EXPECT_NE(hashOf("color = " + std::string(other) + ";", maps), plain) << other;
 }
 
+struct Compared {
+  std::optional<ComputationDifference> difference;
+  CompareCounts counts;
+};
+
+Compared compared(const std::string& given, const std::string& prepared, const std::string& before = "", const CompareOptions& options = {}) {
+  Compared out;
+  auto difference = compareComputations(mainOf(given, before), mainOf(prepared, before), "main", options, &out.counts);
+  REPRISE_CHECK(difference.ok(), formatError(difference.error()));
+  out.difference = *difference;
+  return out;
+}
+
+TEST(CompareComputations, NamesWhatDiffersAndWhere) {
+  EXPECT_FALSE(compared("color = p;", "vec4 c = p; color = c;").difference);
+  const auto different = compared("color = vec4(p.xyz, p.w * 2.0);", "color = vec4(p.xyz, p.w + p.w);").difference;
+  ASSERT_TRUE(different);
+  EXPECT_NE(different->expected.find("output 0.3"), std::string::npos) << different->expected;
+  EXPECT_NE(different->expected, different->found);
+  // Only where the varying is large, which some seed shows.
+  EXPECT_TRUE(compared("color = p.x > 1.5 ? p : p.yxzw;", "color = p.yxzw;").difference);
+  EXPECT_EQ(compared("if (p.x > -99.0) discard; color = p;", "color = p;").difference->expected, "it discards");
+}
+
+// A bound from a block is 0, 1, 2 and 3 in turn, so that a loop's second time round is seen.
+TEST(CompareComputations, TriesSmallIntegers) {
+  const std::string block = "layout(binding = 0) uniform B { int turns; } b;\n";
+  EXPECT_TRUE(compared("float s = 0.0; for (int i = 0; i < b.turns; ++i) s += p[i]; color = vec4(s);", "float s = 0.0; for (int i = 0; i < min(b.turns, 2); ++i) s += p[i]; color = vec4(s);", block).difference);
+}
+
+TEST(CompareComputations, LeavesOutWhatTheGivenModuleLeavesOpen) {
+  EXPECT_FALSE(compared("float never; color = vec4(p.xyz, never);", "color = vec4(p.xyz, 7.0);").difference);
+  EXPECT_TRUE(compared("color = vec4(p.xyz, 0.0);", "float never; color = vec4(p.xyz, never);").difference) << "0 is what undefined values are here";
+  const Compared open = compared("bool never; color = vec4(0.0); if (never) color = p;", "color = p;");
+  EXPECT_FALSE(open.difference);
+  EXPECT_EQ(open.counts.undefined, 64);
+  CompareOptions options;
+  options.most_steps = 10000;
+  const Compared endless = compared("float s = 0.0; while (p.x > -99.0) s += 1.0; color = vec4(s);", "color = p;", "", options);
+  EXPECT_FALSE(endless.difference);
+  EXPECT_EQ(endless.counts.endless, 64);
+  EXPECT_EQ(compared("color = p;", "float s = 0.0; while (p.x > -99.0) s += 1.0; color = vec4(s);").difference->found, "it does not end");
+}
+
+TEST(CompareComputations, EndsWithItsBudget) {
+  CompareOptions options;
+  options.most_steps_together = 20000;
+  const Compared some = compared("float s = 0.0; for (int i = 0; i < 100; ++i) s += p.x; color = vec4(s);", "float s = 0.0; for (int i = 0; i < 100; ++i) s += p.x; color = vec4(s);", "", options);
+  EXPECT_GT(some.counts.returned, 4);
+  EXPECT_LT(some.counts.returned, 64);
+}
+
+TEST(CompareComputations, SeesWritesThatAreLostOrMoved) {
+  EXPECT_TRUE(compared("data.tail[1] = p.x; color = p;", "color = p;", kBlock).difference);
+  EXPECT_TRUE(compared("data.tail[1] = p.x; data.tail[2] = p.y; color = p;", "data.tail[2] = p.y; data.tail[1] = p.x; color = p;", kBlock).difference);
+  EXPECT_FALSE(compared("data.tail[1] = p.x; color = vec4(data.tail[1]);", "float x = p.x; data.tail[1] = x; color = vec4(x);", kBlock).difference);
+}
+
 TEST(Interpreter, RefusesWhatItDoesNotKnow) {
   const auto words = mainOf("color = subgroupAdd(p);", "#extension GL_KHR_shader_subgroup_arithmetic : require\n");
   const Result<Interpretation> result = interpretFragment(words, "", {});

@@ -36,7 +36,7 @@ std::uint64_t placeOf(Machine& m, const Instruction& i, std::size_t index) {
 
 bool isTexel(Machine& m, const Instruction& i, std::size_t index) { return unpack(*m.operand(i, index, 1)).kind == PointerKind::kTexel; }
 
-// Reads and writes at once. kValues: operands after pointer, scope and semantics (of the exchange that compares: two of those).
+// Reads and writes at once. kFirstValue: the operand after pointer, scope and semantics (of the exchange that compares: two of those).
 template <std::size_t kFirstValue>
 void modify(Machine& m, const Instruction& i) {
   const std::uint64_t place = placeOf(m, i, 0);
@@ -48,11 +48,12 @@ void modify(Machine& m, const Instruction& i) {
     op.take(*m.operand(i, k, 1), m.scalarType(type));
   }
   const Type& type = m.type(i);
+  if (type.kind != Kind::kInt && type.kind != Kind::kFloat) return m.fail(invalid("an atomic gives no number"));
   Scalar made = op.givingInteger(0, 1);
   made.hash = op.hash();
   made.bits = type.kind == Kind::kFloat ? bitsOfFloat(unitFrom(op.hash()), type.width) : mixed(op.hash(), 0x33) >> 62;
   if (!m.helper) {
-    if (made.undefined) m.reads_undefined = true;
+    m.decideBy(made);
     m.addEffect(op.hash());
     // What a load finds there later follows from this effect.
     if (isTexel(m, i, 0)) m.images[m.operand(i, 0, 1)->hash] = m.side_effects;
@@ -77,6 +78,7 @@ void atomicStore(Machine& m, const Instruction& i) {
   if (!isTexel(m, i, 0)) return store(m, *m.operand(i, 0, 1), type, m.operand(i, 3, type.flat));
   Operation op(i.op);
   op.with(place).take(*m.operand(i, 3, 1), m.scalarType(type));
+  m.decideBy(op.givingBoolean(false));
   m.addEffect(op.hash());
   m.images[m.operand(i, 0, 1)->hash] = m.side_effects;
 }

@@ -148,7 +148,7 @@ void enter(Machine& m, std::uint32_t number, const Instruction* call) {
   const Scalar* value = m.passed.data();
   for (const std::uint32_t parameter : function.parameters) {
     const IdInfo& info = m.program.ids[parameter];
-    std::copy_n(value, info.count, &m.registers[frame.registers] + info.slot);
+    std::copy_n(value, info.count, m.registers.data() + frame.registers + info.slot);
     value += info.count;
   }
   for (const Variable& variable : function.variables) {

@@ -63,7 +63,7 @@ void writeImage(Machine& m, const Instruction& i) {
   const Scalar image = *m.operand(i, 0, 1);
   takeImage(op, image);
   takeOperands(m, i, 1, 3, op);
-  if (op.givingBoolean(false).undefined) m.reads_undefined = true;
+  m.decideBy(op.givingBoolean(false));
   m.addEffect(op.hash());
   std::uint64_t& written = m.images[image.bits];
   written = mixed(written, op.hash());

@@ -51,8 +51,9 @@ struct Interpretation {
   Ending ending = Ending::kReturned;
   std::vector<OutputWord> outputs;  // by location and component; empty but for kReturned
   std::uint64_t side_effects = 0;   // hash of the stores to buffers and images and of the atomics, in order; 0: there were none
-  bool reads_undefined = false;     // an undefined value reached an output, a side effect or a branch, or undefined_behaviour
-  // A branch or an address took an undefined value, an index left its array, or OpUnreachable was reached: other modules may differ.
+  bool reads_undefined = false;     // an undefined value reached an output, or undefined_behaviour
+  // A branch, an address or a write to a buffer or image took an undefined value, an index left its array, or OpUnreachable was
+  // reached: another module may well do something else.
   bool undefined_behaviour = false;
   std::uint64_t steps = 0;  // instructions, those of large composites counted more than once
 };

@@ -33,8 +33,8 @@ const Scalar* Machine::read(std::uint32_t id, std::uint32_t count) {
   if (id < program.ids.size()) {
     const IdInfo& info = program.ids[id];
     if (info.what == IdInfo::What::kValue && info.count >= count) {
-      if (info.owner == 0 && info.slot + count <= constants.size()) return &constants[info.slot];
-      if (!frames.empty() && info.owner == frames.back().function + 1) return &registers[frames.back().registers + info.slot];
+      if (info.owner == 0 && info.slot + count <= constants.size()) return constants.data() + info.slot;
+      if (!frames.empty() && info.owner == frames.back().function + 1) return registers.data() + frames.back().registers + info.slot;
     }
   }
   fail(invalid("an instruction reads a value that is not there"));
@@ -59,8 +59,8 @@ const Type& Machine::typeOf(const Instruction& instruction, std::size_t index) {
 Scalar* Machine::result(const Instruction& instruction, std::uint32_t count) {
   const IdInfo& info = program.ids[instruction.result];
   if (info.what == IdInfo::What::kValue && info.count >= count) {
-    if (info.owner == 0) return &constants[info.slot];
-    if (!frames.empty() && info.owner == frames.back().function + 1) return &registers[frames.back().registers + info.slot];
+    if (info.owner == 0) return constants.data() + info.slot;
+    if (!frames.empty() && info.owner == frames.back().function + 1) return registers.data() + frames.back().registers + info.slot;
   }
   fail(invalid(nameOfInstruction(instruction.op) + " has a result of another type"));
   return scratch.data();
@@ -110,9 +110,9 @@ void Machine::run() {
 }
 
 Result<std::uint64_t> constantLength(const Program& program, std::uint32_t id) {
-  for (const Instruction& constant : program.constants)
-    if (constant.result == id && constant.operands.size() == 1 && (constant.op == spv::Op::OpConstant || constant.op == spv::Op::OpSpecConstant))
-      return std::max<std::uint64_t>(constant.operands[0], 1);
+  const auto literal = program.integers.find(id);
+  if (literal != program.integers.end()) return std::max<std::uint64_t>(literal->second, 1);
+  // An operation on constants to be specialized.
   const InterpreterInputs none;
   Machine machine(program, none);
   machine.setUp();

@@ -41,7 +41,7 @@ struct Machine {
     if (!failure) failure = std::move(error);
   }
   bool ended() const { return finished || failure.has_value(); }
-  // A branch or an address takes a value.
+  // A branch, an address, a buffer or an image takes a value.
   void decideBy(const Scalar& value) {
     if (value.undefined) reads_undefined = undefined_behaviour = true;
   }

@@ -42,6 +42,7 @@ struct Layout {
 template <typename Leaf>
 void walk(Machine& m, const Type& type, std::uint64_t offset, const Layout& layout, std::uint32_t& index, const Leaf& leaf) {
   const Type& element = m.program.types[type.element];
+  if (type.flat == 0) return;  // a hostile array of nothing may be long
   switch (type.kind) {
     case Kind::kBool: case Kind::kInt: case Kind::kFloat: leaf(type, offset, index++); return;
     case Kind::kVector: {
@@ -91,7 +92,7 @@ Scalar leafOf(const Machine& m, const Buffer& buffer, const Type& scalar, std::u
 
 void storeLeaf(Machine& m, const Buffer& buffer, const Type& scalar, std::uint64_t offset, Scalar value) {
   const std::uint64_t address = addressOf(buffer, scalar, offset);
-  if (value.undefined) m.reads_undefined = true;
+  m.decideBy(value);
   m.addEffect(mixed(address, computationOf(value, scalar)));
   if (m.stored.size() >= kMostMemory) return m.fail(unsupported("buffers of which so much is written"));
   m.stored[address] = value;

@@ -2,7 +2,6 @@
 #include "cli/check/interpreter/program.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 #include "cli/check/interpreter/read_types.h"
 
@@ -136,6 +135,8 @@ class Reader {
       constant.operands = raw.operands.subspan(1);
     }
     constant.handler = handlerOf(constant.op);
+    if ((constant.op == Op::OpConstant || constant.op == Op::OpSpecConstant) && raw.operands.size() == 1)
+      program_.integers[raw.result] = raw.operands[0];
     program_.constants.push_back(constant);
     return {};
   }

@@ -7,6 +7,7 @@
 #include <span>
 #include <spirv/unified1/spirv.hpp11>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -98,6 +99,7 @@ struct Program {
   std::vector<Instruction> constants;  // in the order of the module
   std::vector<Variable> variables;     // globals
   std::vector<Function> functions;
+  std::unordered_map<std::uint32_t, std::uint32_t> integers;  // constants of 32 bits by id: lengths of arrays
   std::map<std::uint32_t, std::string> imports;  // names of extended instruction sets
   std::vector<std::uint32_t> interface;          // ids that the entry point names
   std::uint32_t entry = 0;                       // index of the function

@@ -12,6 +12,8 @@ using spv::Op;
 
 constexpr std::uint32_t kWhole = 0xffffffff;
 constexpr std::uint32_t kDeepest = 64;
+constexpr std::uint32_t kMostComponents = 16;
+constexpr int kMostSpecializedLengths = 64;
 
 void apply(Decorations& to, Decoration decoration, std::uint32_t word) {
   switch (decoration) {
@@ -103,6 +105,11 @@ const Type* TypeReader::typeAt(std::span<const std::uint32_t> operands, std::siz
 Result<void> TypeReader::makeRow(Type& type, std::span<const std::uint32_t> operands, std::uint64_t count) {
   const Type* element = typeAt(operands, 0, type.element);
   if (element == nullptr) return invalid("a type is made of no type");
+  const bool number = element->kind == Kind::kBool || element->kind == Kind::kInt || element->kind == Kind::kFloat;
+  const bool vector = type.kind == Kind::kVector, matrix = type.kind == Kind::kMatrix;
+  if ((vector && !number) || (matrix && (element->kind != Kind::kVector || element->count > kMostComponents)) ||
+      ((vector || matrix) && (count == 0 || count > kMostComponents)))
+    return invalid("a vector or a matrix is made of something else");
   type.count = static_cast<std::uint32_t>(count);
   type.flat = static_cast<std::uint32_t>(std::min<std::uint64_t>(count * element->flat, kMostScalars + 1));
   if (element->flat == 0 && count > kMostScalars) type.flat = kMostScalars + 1;
@@ -150,6 +157,8 @@ Result<void> TypeReader::define(Op op, std::uint32_t result, std::span<const std
     case Op::OpTypeRuntimeArray: type.kind = Kind::kRuntimeArray; REPRISE_TRY(makeRow(type, operands, 0)); break;
     case Op::OpTypeArray: {
       type.kind = Kind::kArray;
+      if (program_.integers.count(operand(1)) == 0 && ++specialized_lengths_ > kMostSpecializedLengths)
+        return unsupported("so many arrays whose lengths are computed from specialization constants");
       REPRISE_ASSIGN(const std::uint64_t length, constantLength(program_, operand(1)));
       REPRISE_TRY(makeRow(type, operands, length));
       break;

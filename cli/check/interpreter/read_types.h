@@ -28,6 +28,7 @@ class TypeReader {
 
   Program& program_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, Decorations> decorations_;  // by id and member; kWhole: the id itself
+  int specialized_lengths_ = 0;
 };
 
 }  // namespace reprise::interpreter
