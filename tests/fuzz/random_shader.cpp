@@ -112,6 +112,19 @@ class ShaderWriter {
     return {way, random().of(types), state_.name("p")};
   }
 
+  // Of the scalars among the variables from `first` on: a value of the type `result` that depends on each.
+  std::string summary(int result, std::size_t first) {
+    std::string total = "0", sum = "0.0";
+    for (std::size_t i = first; i < state_.variables.size(); ++i) {
+      const Variable& variable = state_.variables[i];
+      if (variable.type == kInt) total = "(" + total + " * 5 + " + variable.name + ")";
+      if (variable.type == kFloat) sum += " + " + variable.name;
+    }
+    if (result == kInt) return total + " + int(" + sum + " > 0.5)";
+    if (result == kBool) return "((" + total + " & 1) == 0) != (" + sum + " > 0.5)";
+    return state_.types[result].name + "(sin(" + sum + " + float(" + total + " & 15)))";
+  }
+
   std::string function() {
     static const std::vector<int> kResults = {kInt, kInt, kFloat, kFloat, kVec3, kBool, kNothing};
     MadeFunction made{state_.name("f"), random().of(kResults), {}, 0};
@@ -129,11 +142,12 @@ class ShaderWriter {
       if (one.way == "out") statements_.line(one.name + " = " + statements_.values().literal(one.type) + ";");
       state_.variables.push_back({one.name, one.type, true, kWholeWeight});
     }
+    const std::size_t inputs = state_.variables.size();
     statements_.declareCarried({1, 3}, {0, 2});
     declareWholes(random().between(0, 1));
     const Surroundings at{1, false, false, made.result, false};
     statements_.block(random().between(2, state_.options.statements), at);
-    if (made.result != kNothing) statements_.returnStatement(at);
+    if (made.result != kNothing) statements_.line("return " + summary(made.result, inputs) + ";");
     made.cost = state_.cost;
     state_.functions.push_back(made);
     return result + " " + made.name + "(" + parameters + ") {\n" + statements_.takeText() + "}\n";

@@ -51,8 +51,11 @@ void ShaderStatements::statement(const Surroundings& at) {
     case 6: return loop(at);
     case 7: return switchOver(at);
     case 8: return callStatement();
-    default: break;
+    default: jumpIf(at);
   }
+}
+
+void ShaderStatements::jumpIf(const Surroundings& at) {
   if (at.is_main && random_.chance(6)) return line("if (" + values_.value(kBool, 2) + ") discard;");
   line("if (" + values_.value(kBool, 2) + ") {");
   ++indent_;
@@ -184,12 +187,12 @@ void ShaderStatements::loop(const Surroundings& at) {
   // A body of some ten statements is to be affordable.
   if (!state_.affords(most * 12)) return assign();
   const std::vector<std::size_t> hidden = hideSome();
-  std::vector<Variable> scalars;
-  for (const std::size_t i : hidden)
-    if (state_.variables[i].type == kInt || state_.variables[i].type == kFloat) scalars.push_back(state_.variables[i]);
-  // What a loop leaves alone is often set before it and changed behind it.
+  // What a loop leaves alone is often set before it and changed behind it; so may be what the loops around it leave alone.
+  std::vector<Variable> alone;
+  for (const Variable& variable : state_.variables)
+    if (variable.hidden && (variable.type == kInt || variable.type == kFloat)) alone.push_back(variable);
   std::optional<Variable> around;
-  if (!scalars.empty() && random_.chance(60)) around = random_.of(scalars);
+  if (!alone.empty() && random_.chance(70)) around = random_.of(alone);
   if (around && random_.chance(80)) line(around->name + " = " + values_.bounded(around->type, 1) + ";");
   Surroundings inside = at;
   ++inside.depth;
@@ -210,8 +213,9 @@ void ShaderStatements::loopOfForm(int most, const Surroundings& inside) {
 }
 
 void ShaderStatements::loopBody(const Surroundings& inside) {
+  if (random_.chance(30)) jumpIf(inside);
   block(size(inside) + 1, inside);
-  if (random_.chance(5)) jump(inside);
+  if (random_.chance(4)) jump(inside);
 }
 
 void ShaderStatements::countingLoop(int most, const Surroundings& inside) {

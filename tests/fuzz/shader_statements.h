@@ -39,6 +39,7 @@ class ShaderStatements {
   void assignPart();
   void branch(const Surroundings& at);
   void jump(const Surroundings& at);
+  void jumpIf(const Surroundings& at);
   void loop(const Surroundings& at);
   void loopOfForm(int most, const Surroundings& inside);
   std::vector<std::size_t> hideSome();
