@@ -10,7 +10,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "cli/check/reference.h"
+#include "cli/check/reference/reference.h"
 #include "cli/check/run_modules.h"
 #include "cli/choice.h"
 #include "cli/commands/analyze.h"

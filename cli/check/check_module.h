@@ -13,7 +13,7 @@
 
 #include <functional>
 
-#include "cli/check/reference.h"
+#include "cli/check/reference/reference.h"
 #include "cli/check/verdict.h"
 
 namespace reprise {

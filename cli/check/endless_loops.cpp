@@ -2,7 +2,7 @@
 
 #include "cli/check/frame_laws.h"
 #include "cli/check/harness_program.h"
-#include "cli/check/play_original.h"
+#include "cli/check/reference/play_original.h"
 #include "compiler/ir/limit_loops.h"
 #include "compiler/source/reflect.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "cli/check/play_original.h"
+#include "cli/check/reference/play_original.h"
 #include "compiler/ir/reproducible.h"
 #include "compiler/strategies/refuse_variant.h"
 #include "compiler/strategies/registry.h"

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "cli/check/hold_laws.h"
-#include "cli/check/reference.h"
+#include "cli/check/reference/reference.h"
 #include "compiler/strategies/build_package.h"
 
 namespace reprise {

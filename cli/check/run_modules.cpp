@@ -12,9 +12,9 @@
 #include <iterator>
 
 #include "cli/check/check_module.h"
-#include "cli/check/child_process.h"
-#include "cli/check/pipe_messages.h"
-#include "cli/check/time_limit.h"
+#include "cli/check/reference/child_process.h"
+#include "cli/check/reference/pipe_messages.h"
+#include "cli/check/reference/time_limit.h"
 
 namespace reprise {
 namespace {

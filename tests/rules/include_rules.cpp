@@ -39,6 +39,8 @@ const std::vector<FolderRule> kFolderRules = {
       "profiler/session"}},
     {"fitting", {"profiler/measurements"}},
     {"cli", {"runtime", "compiler", "profiler", "fitting"}},
+    // The reference of `check`: no pass of ours, and nothing that reads a module into our IR.
+    {"cli/check/reference", {"runtime", kSource, "profiler/harness"}},
     // Not part of the product: they may see all of it, and nothing of it sees them.
     {"tests", {"runtime", "compiler", "profiler", "fitting", "cli"}},
     {"bench", {"runtime", "compiler", "profiler", "fitting", "cli"}},

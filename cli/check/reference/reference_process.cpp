@@ -5,9 +5,9 @@
 
 #include <memory>
 
-#include "cli/check/child_process.h"
-#include "cli/check/reference_messages.h"
-#include "cli/check/time_limit.h"
+#include "cli/check/reference/child_process.h"
+#include "cli/check/reference/reference_messages.h"
+#include "cli/check/reference/time_limit.h"
 
 namespace reprise {
 namespace {

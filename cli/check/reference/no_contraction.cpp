@@ -1,4 +1,4 @@
-#include "cli/check/no_contraction.h"
+#include "cli/check/reference/no_contraction.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,4 +1,4 @@
-#include "cli/check/reference_messages.h"
+#include "cli/check/reference/reference_messages.h"
 
 #include <nlohmann/json.hpp>
 #include <stdexcept>

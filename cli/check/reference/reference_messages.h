@@ -1,8 +1,8 @@
 // What a checking process and its reference say to each other.
 #pragma once
 
-#include "cli/check/pipe_messages.h"
-#include "cli/check/reference.h"
+#include "cli/check/reference/pipe_messages.h"
+#include "cli/check/reference/reference.h"
 
 namespace reprise {
 

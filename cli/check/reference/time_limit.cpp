@@ -1,4 +1,4 @@
-#include "cli/check/time_limit.h"
+#include "cli/check/reference/time_limit.h"
 
 #include <unistd.h>
 

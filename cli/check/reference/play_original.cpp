@@ -1,4 +1,4 @@
-#include "cli/check/play_original.h"
+#include "cli/check/reference/play_original.h"
 
 #include <algorithm>
 

@@ -5,9 +5,9 @@
 
 #include <memory>
 
-#include "cli/check/no_contraction.h"
-#include "cli/check/play_original.h"
-#include "cli/check/reference_messages.h"
+#include "cli/check/reference/no_contraction.h"
+#include "cli/check/reference/play_original.h"
+#include "cli/check/reference/reference_messages.h"
 #include "compiler/source/reflect.h"
 #include "compiler/source/validate.h"
 

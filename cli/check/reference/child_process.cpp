@@ -1,4 +1,4 @@
-#include "cli/check/child_process.h"
+#include "cli/check/reference/child_process.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "cli/check/pipe_messages.h"
+#include "cli/check/reference/pipe_messages.h"
 
 #include <poll.h>
 #include <unistd.h>
