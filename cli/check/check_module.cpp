@@ -10,6 +10,7 @@
 #include "cli/check/capabilities.h"
 #include "cli/check/endless_loops.h"
 #include "cli/check/harness_program.h"
+#include "cli/check/interpreted.h"
 #include "cli/check/module_player.h"
 #include "cli/check/undefined_values.h"
 #include "compiler/ir/reproducible.h"
@@ -81,6 +82,8 @@ class ModuleCheck {
   // Of a failure: where it was, and whether undefined values may have a part in it.
   const HarnessOptions& inputs() const { return inputs_; }
   bool may_show_undefined() const { return may_show_undefined_; }
+  // Whether its images alone make it one.
+  bool is_excusable() const { return failed() && interpreted_.computation != Computation::kDifferent; }
 
  private:
   struct Unshown {
@@ -104,6 +107,12 @@ class ModuleCheck {
     REPRISE_ASSIGN(ShaderProgram program, harnessProgram(bench_.vertex, ours));
     if (const Result<void> valid = validateModule(preparedWords(program)); !valid.ok()) {
       end(Verdict::kFailed, "prepare", "the prepared module is not valid SPIR-V: " + valid.error().message);
+      return {};
+    }
+    // Refused modules, too: it tells of what was prepared, not of what is made from that.
+    interpreted_ = interpretPrepared(bench_.given.words, preparedWords(program));
+    if (interpreted_.computation == Computation::kDifferent) {
+      end(Verdict::kFailed, "prepare", "the reference interpreter finds that the prepared module computes something else " + interpreted_.text);
       return {};
     }
     if (program.analysis.refusal) return *program.analysis.refusal;
@@ -173,7 +182,7 @@ class ModuleCheck {
 
   // Law 0. True if that ends the check.
   Result<bool> holdUncached() {
-    REPRISE_ASSIGN(const Held held, holdPrepared(*originals_, player_->terms(nullptr, ""), interpreted_));
+    REPRISE_ASSIGN(const Held held, holdPrepared(*originals_, player_->terms(nullptr, ""), interpreted_.computation));
     inconsistent_ = held.inconsistent;
     worst_ = std::max(worst_, held.inconsistent ? Judgement::kEqual : held.judgement);
     if (held.judgement != Judgement::kOurs || held.inconsistent) return false;
@@ -258,7 +267,7 @@ class ModuleCheck {
   Result<VariantFrames> holdStrategy(const Candidate& candidate, const std::string& strategy) {
     REPRISE_ASSIGN(HeldVariant variant,
                    holdVariant(*originals_, inconsistent_, [&](bool no_contraction) { return player_->variant(candidate, strategy, no_contraction); },
-                               player_->terms(&candidate, strategy), interpreted_));
+                               player_->terms(&candidate, strategy), interpreted_.computation));
     worst_ = std::max(worst_, variant.held.judgement);
     if (variant.held.judgement == Judgement::kOurs) fail(candidate.id + " in " + strategy, strategy, *variant.held.difference);
     return std::move(variant.frames);
@@ -291,8 +300,9 @@ class ModuleCheck {
   }
 
   void fail(const std::string& what, const std::string& strategy, const BrokenLaw& broken) {
+    const char* witness = interpreted_.computation == Computation::kSame ? "the interpreter finds no other computation in the prepared module" : "the interpreter cannot say";
     end(Verdict::kFailed, broken.violation.law,
-        fmt::format("{}, {}; again with: {}", what, placeText(broken), repeatCommand(bench_.request, inputs_.seed, strategy)));
+        fmt::format("{}, {} ({}); again with: {}", what, placeText(broken), witness, repeatCommand(bench_.request, inputs_.seed, strategy)));
   }
 
   const Bench& bench_;
@@ -301,7 +311,7 @@ class ModuleCheck {
   std::unique_ptr<ModulePlayer> player_;
   HarnessOptions inputs_;
   std::shared_ptr<OriginalFrames> originals_;
-  Computation interpreted_ = Computation::kUnknown;
+  Interpreted interpreted_;
   bool inconsistent_ = false;
   bool may_show_undefined_ = false, looked_at_undefined_ = false;
   int shown_seeds_ = 0;
@@ -329,7 +339,7 @@ ModuleVerdict untestable(ModuleVerdict verdict, const std::string& code, const s
 // A difference says nothing where the device ended the shader's loops, nor where it is gone once undefined values are zero on our side.
 // Looked at last, and whatever hinders the look leaves the failure as it is.
 ModuleVerdict unlessExcused(const ModuleVerdict& failed, const ModuleCheck& check, const Bench& bench) {
-  if (failed.verdict != Verdict::kFailed) return failed;
+  if (!check.is_excusable()) return failed;
   const Result<bool> endless = loopsEndlessly(bench.given, check.inputs(), bench.context, bench.commands);
   if (endless.ok() && *endless)
     return untestable(failed, "original.endless",
