@@ -10,6 +10,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "cli/check/reference/reference.h"
 #include "cli/check/run_modules.h"
 #include "cli/choice.h"
 #include "cli/commands/analyze.h"
@@ -320,6 +321,7 @@ int run(int argc, char** argv) {
   devices->add_flag("--json", words.json, "JSON instead of text");
   app.add_subcommand("worker", "")->group("");
   app.add_subcommand("check-worker", "")->group("");
+  app.add_subcommand("check-reference", "")->group("");
   try {
     app.parse(spelledForParser(argc, argv));
   } catch (const CLI::ParseError& error) {
@@ -330,7 +332,8 @@ int run(int argc, char** argv) {
   std::string command = "reprise";
   for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
   if (app.got_subcommand("worker")) return runWorker();
-  if (app.got_subcommand("check-worker")) return runCheckWorker();
+  if (app.got_subcommand("check-worker")) return runCheckWorker(executablePath());
+  if (app.got_subcommand("check-reference")) return runReferenceWorker();
   if (app.got_subcommand("check")) return runCheck(words);
   if (app.got_subcommand("optimize")) return runOptimize(words, command);
   if (app.got_subcommand("emit")) return runEmit(words);

@@ -9,30 +9,29 @@
 
 #include "cli/check/capabilities.h"
 #include "cli/check/endless_loops.h"
-#include "cli/check/frame_laws.h"
 #include "cli/check/harness_program.h"
-#include "cli/check/unsteady_pixels.h"
-#include "compiler/ir/inline_calls.h"
-#include "compiler/ir/promote_to_ssa.h"
+#include "cli/check/interpreted.h"
+#include "cli/check/module_player.h"
+#include "cli/check/undefined_values.h"
 #include "compiler/ir/reproducible.h"
 #include "compiler/source/validate.h"
-#include "compiler/strategies/build_package.h"
 #include "compiler/strategies/registry.h"
 
 namespace reprise {
 namespace {
 
-constexpr double kRegroupedTolerance = 1e-4;  // of regrouped chains (compiler/transforms/regroup.h), times what the tail makes of it
-constexpr int kFrames = 6, kFrozenFrames = 4, kFrozenShot = 2, kPeriodOneFrames = 3;
-constexpr std::uint32_t kPeriod = 4;
-constexpr std::uint32_t kBlock = 4;
-constexpr double kRounding = 1e-3, kLittleRounding = 1e-5;
 constexpr int kSeedsTried = 5;
-constexpr std::size_t kCandidatesTried = 4;
+constexpr std::size_t kCandidatesTried = 4;  // with the first seed that means something; the best one alone with the others
 
-struct Subject {
-  ShaderProgram program;
-  std::vector<Candidate> candidates;  // kept ones
+// What stays the same for all looks at one module.
+struct Bench {
+  const CheckRequest& request;
+  const CheckHooks& hooks;
+  const Context& context;
+  Commands& commands;
+  const CompiledShader& vertex;
+  const CompiledShader& given;
+  Reference reference;
 };
 
 CompileOptions compileOptionsOf(const CheckRequest& request) {
@@ -58,21 +57,21 @@ std::string whyNone(const std::vector<Candidate>& values) {
   return fmt::format("none of {} values can be kept; most often: {} [{}]", values.size(), most->dropped.message, most->dropped.code);
 }
 
-struct Exactness {
-  double tolerance = 0;
-  bool leave_out_unsteady = false;  // pixels (cli/check/unsteady_pixels.h)
-};
+Result<CompiledShader> withZeros(const CompiledShader& shader) {
+  REPRISE_ASSIGN(const Module module, readModule(shader.words));
+  CompiledShader result = shader;
+  result.words = writeModule(withDefinedValues(module));
+  REPRISE_TRY(validateModule(result.words));
+  return result;
+}
 
 class ModuleCheck {
  public:
-  ModuleCheck(const CheckRequest& request, const Context& context, Commands& commands, const std::function<void()>& original_runs)
-      : request_(request), original_runs_(original_runs), context_(context), commands_(commands) {
-    verdict_.path = request.path;
-  }
+  explicit ModuleCheck(const Bench& bench) : bench_(bench) { verdict_.path = bench.request.path; }
 
-  ModuleVerdict run(const CompiledShader& fragment, const Exactness& exactness) {
-    exactness_ = exactness;
-    const Result<void> result = check(fragment);
+  // `ours` is what is prepared and rewritten: the module as given.
+  ModuleVerdict run(const CompiledShader& ours) {
+    const Result<void> result = check(ours);
     if (!result.ok()) {
       const Error& error = result.error();
       end(error.kind == ErrorKind::kRefused ? Verdict::kRefused : Verdict::kUntestable, error.code, error.message);
@@ -80,125 +79,212 @@ class ModuleCheck {
     return verdict_;
   }
 
+  // Of a failure: where it was, and whether undefined values may have a part in it.
+  const HarnessOptions& inputs() const { return inputs_; }
+  bool may_show_undefined() const { return may_show_undefined_; }
+  // Whether its images alone make it one.
+  bool is_excusable() const { return failed() && interpreted_.computation != Computation::kDifferent; }
+
  private:
+  struct Unshown {
+    std::string code, reason;
+    HarnessOptions inputs;
+    std::shared_ptr<OriginalFrames> originals;
+    const Candidate* candidate = nullptr;
+  };
+
   void end(Verdict verdict, const std::string& code, const std::string& reason) {
     verdict_.verdict = verdict;
-    verdict_.seed = seed_;
+    verdict_.seed = inputs_.seed;
     verdict_.code = code;
     verdict_.reason = reason;
   }
 
-  Result<void> check(const CompiledShader& fragment) {
-    REPRISE_ASSIGN(subject_.program, harnessProgram(fragment));
-    if (subject_.program.analysis.refusal) return *subject_.program.analysis.refusal;
-    if (subject_.program.interface.outputs.empty())
+  bool failed() const { return verdict_.verdict == Verdict::kFailed; }
+
+  Result<void> check(const CompiledShader& ours) {
+    bench_.hooks.enters(CheckStage::kPrepare);
+    REPRISE_ASSIGN(ShaderProgram program, harnessProgram(bench_.vertex, ours));
+    if (const Result<void> valid = validateModule(preparedWords(program)); !valid.ok()) {
+      end(Verdict::kFailed, "prepare", "the prepared module is not valid SPIR-V: " + valid.error().message);
+      return {};
+    }
+    // Refused modules, too: it tells of what was prepared, not of what is made from that.
+    interpreted_ = interpretPrepared(bench_.given.words, preparedWords(program));
+    if (interpreted_.computation == Computation::kDifferent) {
+      end(Verdict::kFailed, "prepare", "the reference interpreter finds that the prepared module computes something else " + interpreted_.text);
+      return {};
+    }
+    if (program.analysis.refusal) return *program.analysis.refusal;
+    if (program.interface.outputs.empty())
       return Error{ErrorKind::kRefused, "output.none", "the shader has no colour output that a payload could serve", {}};
     CandidateOptions enumeration;
     enumeration.least_share = 0;
-    const std::vector<Candidate> values = enumerateCandidates(*subject_.program.fragment, subject_.program.analysis, subject_.program.sources, enumeration);
+    const std::vector<Candidate> values = enumerateCandidates(*program.fragment, program.analysis, program.sources, enumeration);
     for (const Candidate& value : values)
-      if (value.kept()) subject_.candidates.push_back(value);
+      if (value.kept()) candidates_.push_back(value);
     // Last, as their hits equal the original but for rounding, which a shader may make much of.
-    std::stable_partition(subject_.candidates.begin(), subject_.candidates.end(), [](const Candidate& one) { return !isRegrouped(one); });
-    if (subject_.candidates.empty()) return Error{ErrorKind::kRefused, "candidate.none", whyNone(values), {}};
-    return trySeeds();
+    std::stable_partition(candidates_.begin(), candidates_.end(), [](const Candidate& one) { return !isRegrouped(one); });
+    if (candidates_.empty()) return Error{ErrorKind::kRefused, "candidate.none", whyNone(values), {}};
+    may_show_undefined_ = mayShowUndefined(*program.fragment);
+    const Reference reference = [this](const ReferenceAsk& ask) {
+      bench_.hooks.enters(CheckStage::kOriginal);
+      auto answer = bench_.reference(ask);
+      bench_.hooks.enters(CheckStage::kVariants);
+      return answer;
+    };
+    player_ = std::make_unique<ModulePlayer>(bench_.context, bench_.commands, std::move(program), reference);
+    return tryInputs();
   }
 
-  // Until the inputs mean something; a broken law ends it at once.
-  Result<void> trySeeds() {
+  // Until the inputs show something; whatever ends the check is in the verdict then.
+  Result<void> tryInputs() {
     for (int i = 0; i < kSeedsTried; ++i) {
-      seed_ = request_.seed + static_cast<std::uint32_t>(i);
-      REPRISE_ASSIGN(const std::string meaningless, playOriginal());
-      if (!meaningless.empty()) {
-        end(Verdict::kUntestable, "inputs.meaningless", fmt::format("with {} seeds from {}: {}", i + 1, request_.seed, meaningless));
-        continue;
-      }
-      const std::size_t most = std::min(subject_.candidates.size(), std::max<std::size_t>(kCandidatesTried, static_cast<std::size_t>(request_.candidates)));
-      int meaningful = 0;
-      for (std::size_t c = 0; c < most && meaningful < request_.candidates; ++c) {
-        ++verdict_.candidates;
-        REPRISE_ASSIGN(const bool shows, checkCandidate(subject_.candidates[c]));
-        if (verdict_.verdict == Verdict::kFailed) return {};
-        meaningful += shows ? 1 : 0;
-      }
-      if (meaningful > 0) {
-        end(Verdict::kVerified, "", "");
-        return {};
-      }
+      inputs_ = HarnessOptions{};
+      inputs_.seed = bench_.request.seed + static_cast<std::uint32_t>(i);
+      REPRISE_ASSIGN(const bool ended, tryOne(i));
+      if (ended) return {};
     }
+    return unshown_ ? concludeUnshown() : Result<void>{};
+  }
+
+  // True once the verdict stands.
+  Result<bool> tryOne(int attempt) {
+    REPRISE_TRY(player_->setInputs(inputs_));
+    originals_ = std::make_shared<OriginalFrames>([this](bool no_contraction) { return player_->originals(no_contraction); });
+    REPRISE_ASSIGN(const bool ended, holdUncached());
+    if (ended) return true;
+    REPRISE_ASSIGN(const Originals* originals, originals_->get(false));
+    const Meaning meaning = meaningOf(originals->given[kFrozenShot], player_->program().interface.outputs);
+    if (meaning.shows == Showing::kNothing) {
+      end(Verdict::kUntestable, "inputs.meaningless", fmt::format("with {} seeds from {}: {}", attempt + 1, bench_.request.seed, meaning.why));
+      return false;
+    }
+    REPRISE_ASSIGN(const bool undefined, showsUndefined());
+    if (undefined) return true;
+    if (meaning.shows == Showing::kConstant) {
+      noteUnshown("image.constant", meaning.why, candidates_.front());
+      return false;
+    }
+    const std::size_t most = shown_seeds_++ > 0 ? static_cast<std::size_t>(bench_.request.candidates)
+                                                : std::max<std::size_t>(kCandidatesTried, static_cast<std::size_t>(bench_.request.candidates));
+    int meaningful = 0;
+    for (std::size_t c = 0; c < std::min(most, candidates_.size()) && meaningful < bench_.request.candidates; ++c) {
+      ++verdict_.candidates;
+      REPRISE_ASSIGN(const bool shows, holdCandidate(candidates_[c], true));
+      if (failed()) return true;
+      meaningful += shows ? 1 : 0;
+    }
+    if (meaningful == 0) return false;
+    conclude(Verdict::kVerified, "", "");
+    return true;
+  }
+
+  // Law 0. True if that ends the check.
+  Result<bool> holdUncached() {
+    REPRISE_ASSIGN(const Held held, holdPrepared(*originals_, player_->terms(nullptr, ""), interpreted_.computation));
+    inconsistent_ = held.inconsistent;
+    worst_ = std::max(worst_, held.inconsistent ? Judgement::kEqual : held.judgement);
+    if (held.judgement != Judgement::kOurs || held.inconsistent) return false;
+    REPRISE_ASSIGN(const bool undefined, showsUndefined());
+    if (!undefined) fail("the prepared module, uncached", "", *held.difference);
+    return true;
+  }
+
+  // Looked at once, with the first inputs that cover anything.
+  Result<bool> showsUndefined() {
+    if (!may_show_undefined_ || looked_at_undefined_) return false;
+    looked_at_undefined_ = true;
+    REPRISE_ASSIGN(const CompiledShader zeros, withZeros(bench_.given));
+    const LawTerms terms = player_->terms(nullptr, "");
+    REPRISE_ASSIGN(const Originals* originals, originals_->get(false));
+    REPRISE_ASSIGN(const std::vector<HarnessFrame> defined, player_->playWords(zeros.words));
+    const auto difference = findDifference(originals->given, defined, terms, kRounding);
+    if (!difference) return false;
+    // A driver may round the same expression differently beside a variable that has a value.
+    REPRISE_ASSIGN(const Originals* strict, originals_->get(true));
+    REPRISE_ASSIGN(const Module module, readModule(zeros.words));
+    REPRISE_ASSIGN(const std::vector<HarnessFrame> strict_defined, player_->playWords(writeModule(withoutContraction(module))));
+    if (!findDifference(strict->given, strict_defined, terms, kRounding)) return false;
+    end(Verdict::kUntestable, "inputs.undefined",
+        fmt::format("the image shows values that nothing defines: with zeros in their place {}", placeText(*difference)));
+    return true;
+  }
+
+  void noteUnshown(const std::string& code, const std::string& reason, const Candidate& candidate) {
+    // An image that varies says more than one that does not.
+    if (unshown_ && (unshown_->code != "image.constant" || code == "image.constant")) return;
+    unshown_ = Unshown{code, reason, inputs_, originals_, &candidate};
+  }
+
+  // All strategies are held to the laws, though nothing of the cache shows.
+  Result<void> concludeUnshown() {
+    inputs_ = unshown_->inputs;
+    originals_ = unshown_->originals;
+    REPRISE_TRY(player_->setInputs(inputs_));
+    verdict_.variants = 0;
+    verdict_.candidates = std::max(verdict_.candidates, 1);
+    REPRISE_TRY(holdCandidate(*unshown_->candidate, false));
+    if (!failed()) conclude(Verdict::kUnshown, unshown_->code, unshown_->reason);
     return {};
   }
 
-  // "" or why this seed shows nothing.
-  Result<std::string> playOriginal() {
-    HarnessOptions options;
-    options.seed = seed_;
-    REPRISE_ASSIGN(Harness harness, Harness::create(context_, commands_, subject_.program.interface, options));
-    harness_ = std::make_unique<Harness>(std::move(harness));
-    originals_.clear();
-    VariantOptions original;
-    original.strategy = "original";
-    REPRISE_ASSIGN(const Package package, buildPackage(subject_.program, subject_.candidates.front(), original, {true, true, true}));
-    REPRISE_ASSIGN(Player player, harness_->createPlayer(package, true));
-    for (int frame = 0; frame < kFrames; ++frame) {
-      REPRISE_ASSIGN(HarnessFrame played, harness_->play(player, {frame, 1}));
-      originals_.push_back(std::move(played));
+  void conclude(Verdict verdict, const std::string& code, const std::string& reason) {
+    if (inconsistent_) {
+      end(Verdict::kUntestable, "device.inconsistent",
+          "the device draws the module and its prepared form differently, though both compute the same, and all variants equal the prepared one");
+      return;
     }
-    original_runs_();
-    const std::string meaningless = whyMeaningless(originals_[kFrozenShot], subject_.program.interface.outputs);
-    if (!meaningless.empty() || !exactness_.leave_out_unsteady) return meaningless;
-    REPRISE_ASSIGN(unsteady_, unsteadyPixels({context_, commands_, subject_.program.interface, package, options}, originals_));
-    return whyMostlyUnsteady(unsteady_, originals_);
+    const char* rounding = worst_ == Judgement::kEnlarged
+                               ? "the shader enlarges rounding errors itself: bit for bit with NoContraction on both sides, and the terms are the same"
+                           : worst_ == Judgement::kRounded ? "within 1e-5, where the device rounds the same terms differently"
+                                                            : "";
+    end(verdict, code, reason.empty() || *rounding == '\0' ? reason + rounding : reason + "; " + rounding);
   }
 
-  VariantOptions optionsFor(const std::string& strategy) const {
-    VariantOptions options;
-    options.strategy = strategy;
-    options.pattern = PatternKind::kInterleaved;
-    options.block_pixels = kBlock;
-    options.filter = Filter::kNearest;
-    options.encoding = Encoding::kRgba32f;
-    options.period_frames = kPeriod;
-    options.instrumented = true;
-    options.ranges.depth_near = 0.3f;
-    options.ranges.depth_far = 20;
-    return options;
-  }
-
-  // Whether what was seen says something; the verdict is untestable so far where it does not. Seen in the first strategy that takes
-  // the candidate, before time is spent on the others.
-  Result<bool> checkCandidate(const Candidate& candidate) {
+  // Whether what was seen says something, if that is asked. Seen in the first strategy that takes the candidate, before time is spent
+  // on the others.
+  Result<bool> holdCandidate(const Candidate& candidate, bool must_show) {
     int held = 0;
     for (const Strategy& strategy : strategies()) {
-      if (!strategy.selectable || (!request_.strategy.empty() && strategy.name != request_.strategy)) continue;
-      const Result<std::vector<HarnessFrame>> frames = checkStrategy(candidate, strategy.name);
-      if (verdict_.verdict == Verdict::kFailed) return false;
+      if (!strategy.selectable || (!bench_.request.strategy.empty() && strategy.name != bench_.request.strategy)) continue;
+      const Result<VariantFrames> frames = holdStrategy(candidate, strategy.name);
       if (!frames.ok()) {
         if (frames.error().kind != ErrorKind::kRefused) return frames.error();
         note(strategy.name + ": " + frames.error().code);
         last_refusal_ = frames.error();
         continue;
       }
+      if (failed()) return false;
       ++verdict_.variants;
-      if (held++ > 0) continue;
-      REPRISE_ASSIGN(const bool shows, showsSomething(candidate, strategy.name, *frames));
+      if (held++ > 0 || !must_show) continue;
+      REPRISE_ASSIGN(const bool shows, showsSomething(candidate, strategy.name, frames->moving));
       if (!shows) return false;
     }
     return held == 0 ? Result<bool>(last_refusal_) : Result<bool>(true);
   }
 
+  Result<VariantFrames> holdStrategy(const Candidate& candidate, const std::string& strategy) {
+    REPRISE_ASSIGN(HeldVariant variant,
+                   holdVariant(*originals_, inconsistent_, [&](bool no_contraction) { return player_->variant(candidate, strategy, no_contraction); },
+                               player_->terms(&candidate, strategy), interpreted_.computation));
+    worst_ = std::max(worst_, variant.held.judgement);
+    if (variant.held.judgement == Judgement::kOurs) fail(candidate.id + " in " + strategy, strategy, *variant.held.difference);
+    return std::move(variant.frames);
+  }
+
   Result<bool> showsSomething(const Candidate& candidate, const std::string& strategy, const std::vector<HarnessFrame>& moving) {
     std::size_t hits = 0, misses = 0;
-    for (int frame = 1; frame < kFrames; ++frame) {
-      hits += countKind(moving[static_cast<std::size_t>(frame)], 1);
-      misses += countKind(moving[static_cast<std::size_t>(frame)], 2);
+    for (std::size_t frame = 1; frame < moving.size(); ++frame) {
+      hits += countKind(moving[frame], 1);
+      misses += countKind(moving[frame], 2);
     }
     if (hits == 0 || misses == 0) {
-      end(Verdict::kUntestable, "inputs.one_sided", fmt::format("{}: {} pixels hit and {} missed", candidate.id, hits, misses));
+      noteUnshown("inputs.one_sided", fmt::format("{}: {} pixels hit and {} missed", candidate.id, hits, misses), candidate);
       return false;
     }
-    REPRISE_ASSIGN(const bool matters, poisonShows(candidate, strategy, moving));
-    if (!matters) end(Verdict::kUntestable, "inputs.no_effect", candidate.id + ": a poisoned cache changes no pixel");
+    REPRISE_ASSIGN(const bool matters, player_->poisonShows(candidate, strategy, moving));
+    if (!matters) noteUnshown("inputs.no_effect", candidate.id + ": a poisoned cache changes no pixel", candidate);
     return matters;
   }
 
@@ -207,90 +293,30 @@ class ModuleCheck {
       verdict_.refused_strategies.push_back(text);
   }
 
-  Result<Player> variantPlayer(const Candidate& candidate, const VariantOptions& options) {
-    REPRISE_ASSIGN(const Package package, buildPackage(subject_.program, candidate, options, {true, true, true}));
-    REPRISE_ASSIGN(Player player, harness_->createPlayer(package, false));
-    if (!player.originalReason().empty()) return Error{ErrorKind::kRefused, "device.requirement", player.originalReason(), {}};
-    return player;
+  std::string placeText(const BrokenLaw& broken) const {
+    const Violation& violation = broken.violation;
+    return fmt::format("seed {}, frame {}, pixel ({}, {}): expected {}, found {}", inputs_.seed, broken.frame, violation.pixel % inputs_.width,
+                       violation.pixel / inputs_.width, violation.expected, violation.found);
   }
 
-  // The frames under motion, all laws held; a broken one is in the verdict.
-  Result<std::vector<HarnessFrame>> checkStrategy(const Candidate& candidate, const std::string& strategy) {
-    REPRISE_ASSIGN(Player player, variantPlayer(candidate, optionsFor(strategy)));
-    // A regrouped chain feeds the cache, and what reads it: hits, and the tail of three passes for misses too.
-    const double at_hits = isRegrouped(candidate) ? std::max(exactness_.tolerance, kRegroupedTolerance) : exactness_.tolerance;
-    const double at_misses = findStrategy(strategy)->keeps_raw_payload ? at_hits : exactness_.tolerance;
-    std::vector<HarnessFrame> moving;
-    for (int frame = 0; frame < kPeriodOneFrames; ++frame) {
-      REPRISE_ASSIGN(const HarnessFrame played, harness_->play(player, {frame, 1}));
-      if (broken(candidate, strategy, frame, findViolation(original(frame), played, lawOf("law.always_refresh", ExactPixels::kAll, frame, at_misses)))) return moving;
-    }
-    player.invalidate();
-    for (int frame = 0; frame < kFrames; ++frame) {
-      REPRISE_ASSIGN(HarnessFrame played, harness_->play(player, {frame, kPeriod}));
-      if (broken(candidate, strategy, frame, findViolation(original(frame), played, lawOf("law.misses_exact", ExactPixels::kMisses, frame, at_misses)))) return moving;
-      moving.push_back(std::move(played));
-    }
-    if (countKind(moving.front(), 1) > 0) {
-      broken(candidate, strategy, 0, Violation{"law.books", 0, "no hit in the first frame", fmt::format("{} hits", countKind(moving.front(), 1))});
-      return moving;
-    }
-    player.invalidate();
-    for (int frame = 0; frame < kFrozenFrames; ++frame) {
-      REPRISE_ASSIGN(const HarnessFrame played, harness_->play(player, {kFrozenShot, kPeriod}));
-      const ColorLaw law = lawOf("law.frozen_world", ExactPixels::kAll, kFrozenShot, at_hits);
-      if (broken(candidate, strategy, kFrozenShot, findViolation(original(kFrozenShot), played, law))) return moving;
-    }
-    return moving;
+  void fail(const std::string& what, const std::string& strategy, const BrokenLaw& broken) {
+    const char* witness = interpreted_.computation == Computation::kSame ? "the interpreter finds no other computation in the prepared module" : "the interpreter cannot say";
+    end(Verdict::kFailed, broken.violation.law,
+        fmt::format("{}, {} ({}); again with: {}", what, placeText(broken), witness, repeatCommand(bench_.request, inputs_.seed, strategy)));
   }
 
-  ColorLaw lawOf(const std::string& name, ExactPixels pixels, int frame, double tolerance) const {
-    const auto& modes = subject_.program.fragment->module.execution_modes;
-    const bool early = std::any_of(modes.begin(), modes.end(), [](const Instruction& mode) {
-      return mode.opcode == spv::Op::OpExecutionMode &&
-             static_cast<spv::ExecutionMode>(mode.word(1)) == spv::ExecutionMode::EarlyFragmentTests;
-    });
-    ColorLaw law{name, pixels, tolerance, subject_.program.interface.writes_depth};
-    law.depth_tells_coverage = !(early && subject_.program.analysis.discards);
-    if (!unsteady_.empty()) law.left_out = &unsteady_[static_cast<std::size_t>(frame)];
-    return law;
-  }
-
-  const HarnessFrame& original(int frame) const { return originals_[static_cast<std::size_t>(frame)]; }
-
-  bool broken(const Candidate& candidate, const std::string& strategy, int frame, const std::optional<Violation>& violation) {
-    if (!violation) return false;
-    const std::size_t width = HarnessOptions{}.width;
-    end(Verdict::kFailed, violation->law,
-        fmt::format("{} in {}, seed {}, frame {}, pixel ({}, {}): expected {}, found {}; again with: {}",
-                    candidate.id, strategy, seed_, frame, violation->pixel % width, violation->pixel / width, violation->expected,
-                    violation->found, repeatCommand(request_, seed_, strategy)));
-    return true;
-  }
-
-  Result<bool> poisonShows(const Candidate& candidate, const std::string& strategy, const std::vector<HarnessFrame>& moving) {
-    VariantOptions options = optionsFor(strategy);
-    options.poisoned = true;
-    Result<Player> player = variantPlayer(candidate, options);
-    if (!player.ok()) return player.error();
-    for (int frame = 0; frame < kFrames; ++frame) {
-      REPRISE_ASSIGN(const HarnessFrame played, harness_->play(*player, {frame, kPeriod}));
-      if (played.colors != moving[static_cast<std::size_t>(frame)].colors) return true;
-    }
-    return false;
-  }
-
-  const CheckRequest& request_;
-  const std::function<void()>& original_runs_;
-  const Context& context_;
-  Commands& commands_;
+  const Bench& bench_;
   ModuleVerdict verdict_;
-  Subject subject_;
-  std::unique_ptr<Harness> harness_;
-  std::vector<HarnessFrame> originals_;
-  std::uint32_t seed_ = 1;
-  Exactness exactness_;
-  std::vector<std::vector<bool>> unsteady_;  // by frame
+  std::vector<Candidate> candidates_;  // kept ones
+  std::unique_ptr<ModulePlayer> player_;
+  HarnessOptions inputs_;
+  std::shared_ptr<OriginalFrames> originals_;
+  Interpreted interpreted_;
+  bool inconsistent_ = false;
+  bool may_show_undefined_ = false, looked_at_undefined_ = false;
+  int shown_seeds_ = 0;
+  Judgement worst_ = Judgement::kEqual;
+  std::optional<Unshown> unshown_;
   Error last_refusal_{ErrorKind::kRefused, "strategy.none", "no strategy takes this shader", {}};
 };
 
@@ -303,24 +329,6 @@ ModuleVerdict endedBy(const CheckRequest& request, const Error& error) {
   return verdict;
 }
 
-Result<CompiledShader> changed(const CompiledShader& shader, Module (*change)(const Module&)) {
-  REPRISE_ASSIGN(const Module module, readModule(shader.words));
-  CompiledShader result = shader;
-  result.words = writeModule(change(module));
-  REPRISE_TRY(validateModule(result.words));
-  return result;
-}
-
-// The same shader with its variables as values, the form that the rewrites start from.
-Result<CompiledShader> withValues(const CompiledShader& shader) {
-  REPRISE_ASSIGN(const Module module, readModule(shader.words));
-  REPRISE_ASSIGN(const Module inlined, inlineCalls(module));
-  REPRISE_ASSIGN(const Module promoted, promoteToSsa(inlined));
-  CompiledShader values = shader;
-  values.words = writeModule(promoted);
-  return values;
-}
-
 ModuleVerdict untestable(ModuleVerdict verdict, const std::string& code, const std::string& reason) {
   verdict.verdict = Verdict::kUntestable;
   verdict.code = code;
@@ -328,55 +336,25 @@ ModuleVerdict untestable(ModuleVerdict verdict, const std::string& code, const s
   return verdict;
 }
 
-// Of a module whose variants differ from it by more than rounding: whether it differs from itself, so that the device is to blame.
-ModuleVerdict blamed(const ModuleVerdict& failed, const ModuleVerdict& of_values) {
-  if (of_values.verdict != Verdict::kVerified) return failed;
-  return untestable(of_values, "device.inconsistent",
-                    "the device draws the original differently once its variables are values, and then all variants equal it");
+// A difference says nothing where the device ended the shader's loops, nor where it is gone once undefined values are zero on our side.
+// Looked at last, and whatever hinders the look leaves the failure as it is.
+ModuleVerdict unlessExcused(const ModuleVerdict& failed, const ModuleCheck& check, const Bench& bench) {
+  if (!check.is_excusable()) return failed;
+  const Result<bool> endless = loopsEndlessly(bench.given, check.inputs(), bench.context, bench.commands);
+  if (endless.ok() && *endless)
+    return untestable(failed, "original.endless",
+                      fmt::format("with seed {} the shader itself loops more than {} times, and the device decides what comes of that",
+                                  failed.seed, kEndlessIterations));
+  if (!check.may_show_undefined()) return failed;
+  const Result<CompiledShader> zeros = withZeros(bench.given);
+  if (!zeros.ok()) return failed;
+  const ModuleVerdict defined = ModuleCheck(bench).run(*zeros);
+  if (defined.verdict != Verdict::kVerified && defined.verdict != Verdict::kUnshown) return failed;
+  return untestable(failed, "inputs.undefined", "the shader reads values that nothing defines; with zeros in their place all laws hold");
 }
 
-// A broken law says nothing where the device ended the shader's loops. Looked at last, and whatever hinders the look leaves the
-// failure as it is.
-ModuleVerdict unlessEndless(const ModuleVerdict& failed, const CompiledShader& fragment, const Context& context, Commands& commands) {
-  if (failed.verdict != Verdict::kFailed) return failed;
-  const Result<bool> endless = loopsEndlessly(fragment, failed.seed, context, commands);
-  if (!endless.ok() || !*endless) return failed;
-  return untestable(failed, "original.endless",
-                    fmt::format("with seed {} the shader itself loops more than {} times, and the device decides what comes of that",
-                                failed.seed, kEndlessIterations));
-}
-
-// Holds the laws, first bit by bit, then with the liberties that rounding takes.
-Result<ModuleVerdict> checkFragment(const CheckRequest& request, const CompiledShader& fragment, const Context& context, Commands& commands,
-                                    const std::function<void()>& original_runs) {
-  const auto check = [&](const CompiledShader& shader, double tolerance, bool leave_out_unsteady = false) {
-    return ModuleCheck(request, context, commands, original_runs).run(shader, {tolerance, leave_out_unsteady});
-  };
-  ModuleVerdict verdict = check(fragment, 0);
-  if (verdict.verdict != Verdict::kFailed || verdict.code == "law.books") return verdict;
-  // A driver may round the same expression differently in another surrounding. That is no fault of the rewrite if it is little, and if
-  // it is next to nothing, or gone where the driver has no such freedom.
-  REPRISE_ASSIGN(const CompiledShader strict, changed(fragment, withoutContraction));
-  ModuleVerdict nearly = check(fragment, kLittleRounding);
-  if (nearly.verdict == Verdict::kVerified) {
-    nearly.reason = "within 1e-5; not bit for bit, as the device rounds differently";
-    return nearly;
-  }
-  ModuleVerdict rounded = check(strict, 0);
-  if (rounded.verdict == Verdict::kVerified && check(fragment, kRounding).verdict == Verdict::kVerified) {
-    rounded.reason = "bit for bit with NoContraction on both sides; as given the device rounds differently";
-    return rounded;
-  }
-  ModuleVerdict steady = check(fragment, kRounding, true);
-  if (steady.verdict == Verdict::kVerified) {
-    steady.reason = "within 1e-3 where the shader does not enlarge rounding errors";
-    return steady;
-  }
-  REPRISE_ASSIGN(const CompiledShader of_values, withValues(fragment));
-  return blamed(rounded.verdict == Verdict::kFailed ? rounded : verdict, check(of_values, kLittleRounding));
-}
-
-Result<ModuleVerdict> checkCompiled(const CheckRequest& request, const std::function<void()>& original_runs) {
+Result<ModuleVerdict> checkCompiled(const CheckRequest& request, const CheckHooks& hooks) {
+  hooks.enters(CheckStage::kCompile);
   REPRISE_ASSIGN(const CompiledShader given, compile(request.path, compileOptionsOf(request)));
   ContextOptions options;
   options.device = request.device;
@@ -384,17 +362,27 @@ Result<ModuleVerdict> checkCompiled(const CheckRequest& request, const std::func
   const std::string lacking = missingCapability(given.words, context);
   if (!lacking.empty())
     return Error{ErrorKind::kRefused, "device.capability", "the module needs the capability " + lacking + ", which the device lacks", {}};
+  REPRISE_ASSIGN(const CompiledShader vertex, harnessVertex(given));
   REPRISE_ASSIGN(Commands commands, Commands::create(context));
-  REPRISE_ASSIGN(const CompiledShader fragment, changed(given, withDefinedValues));
-  REPRISE_ASSIGN(const ModuleVerdict verdict, checkFragment(request, fragment, context, commands, original_runs));
-  return unlessEndless(verdict, fragment, context, commands);
+  // The reference is started when it is first asked: many a module is refused before.
+  const ReferenceModule module{request.path, request.device, vertex.words, given.words};
+  std::optional<Result<Reference>> started;
+  const Reference reference = [&](const ReferenceAsk& ask) -> Result<std::vector<HarnessFrame>> {
+    if (!started) started = hooks.start_reference(module);
+    if (!started->ok()) return started->error();
+    return (**started)(ask);
+  };
+  const Bench bench{request, hooks, context, commands, vertex, given, reference};
+  ModuleCheck check(bench);
+  const ModuleVerdict verdict = check.run(given);
+  return unlessExcused(verdict, check, bench);
 }
 
 }  // namespace
 
-ModuleVerdict checkModule(const CheckRequest& request, const std::function<void()>& original_runs) {
+ModuleVerdict checkModule(const CheckRequest& request, const CheckHooks& hooks) {
   const auto start = std::chrono::steady_clock::now();
-  const Result<ModuleVerdict> checked = checkCompiled(request, original_runs);
+  const Result<ModuleVerdict> checked = checkCompiled(request, hooks);
   ModuleVerdict verdict = checked.ok() ? *checked : endedBy(request, checked.error());
   verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return verdict;

@@ -2,8 +2,9 @@
 
 #include "cli/check/frame_laws.h"
 #include "cli/check/harness_program.h"
+#include "cli/check/reference/play_original.h"
 #include "compiler/ir/limit_loops.h"
-#include "compiler/strategies/build_package.h"
+#include "compiler/source/reflect.h"
 
 namespace reprise {
 namespace {
@@ -13,27 +14,19 @@ constexpr double kOtherColour = 1e-3;
 
 class OriginalPlayer {
  public:
-  OriginalPlayer(std::uint32_t seed, const Context& context, Commands& commands) : seed_(seed), context_(context), commands_(commands) {}
+  OriginalPlayer(const HarnessOptions& inputs, const Context& context, Commands& commands) : inputs_(inputs), context_(context), commands_(commands) {}
 
   Result<std::vector<HarnessFrame>> play(const CompiledShader& fragment) {
-    REPRISE_ASSIGN(const ShaderProgram program, harnessProgram(fragment));
-    HarnessOptions options;
-    options.seed = seed_;
-    REPRISE_ASSIGN(Harness harness, Harness::create(context_, commands_, program.interface, options));
-    VariantOptions original;
-    original.strategy = "original";
-    REPRISE_ASSIGN(const Package package, buildPackage(program, {}, original, {true, true, true}));
-    REPRISE_ASSIGN(Player player, harness.createPlayer(package, true));
-    std::vector<HarnessFrame> frames;
-    for (int frame = 0; frame < kFrames; ++frame) {
-      REPRISE_ASSIGN(HarnessFrame played, harness.play(player, {frame, 1}));
-      frames.push_back(std::move(played));
-    }
-    return frames;
+    REPRISE_ASSIGN(const CompiledShader vertex, harnessVertex(fragment));
+    ReflectOptions lenient;
+    lenient.skip_unknown_members = lenient.any_arrays = lenient.any_bindings = true;
+    REPRISE_ASSIGN(const ShaderInterface interface, reflectInterface(vertex.words, fragment.words, lenient));
+    REPRISE_ASSIGN(Harness harness, Harness::create(context_, commands_, interface, inputs_));
+    return playOriginal(harness, {interface, vertex.words, fragment.words}, kFrames);
   }
 
  private:
-  std::uint32_t seed_;
+  const HarnessOptions& inputs_;
   const Context& context_;
   Commands& commands_;
 };
@@ -54,10 +47,10 @@ CompiledShader with(const CompiledShader& shader, const Module& module) {
 
 }  // namespace
 
-Result<bool> loopsEndlessly(const CompiledShader& fragment, std::uint32_t seed, const Context& context, Commands& commands) {
+Result<bool> loopsEndlessly(const CompiledShader& fragment, const HarnessOptions& inputs, const Context& context, Commands& commands) {
   REPRISE_ASSIGN(const Module module, readModule(fragment.words));
   if (!hasLoops(module)) return false;
-  OriginalPlayer player(seed, context, commands);
+  OriginalPlayer player(inputs, context, commands);
   REPRISE_ASSIGN(const std::vector<HarnessFrame> given, player.play(fragment));
   REPRISE_ASSIGN(const std::vector<HarnessFrame> limited, player.play(with(fragment, limitLoops(module, kEndlessIterations))));
   for (std::size_t frame = 0; frame < given.size(); ++frame)

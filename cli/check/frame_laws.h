@@ -3,7 +3,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "cli/check/rounding.h"
 #include "profiler/harness/harness.h"
 
 namespace reprise {
@@ -14,18 +16,19 @@ struct Violation {
   std::string expected, found;
 };
 
-// Which pixels' colours must equal the original's, bit for bit (one NaN is as good as another).
+// Which pixels' colours must equal the original's.
 enum class ExactPixels { kAll, kMisses };
 
-// tolerance: how far floats may be off, relative to the larger of 1 and the value; 0: not by a bit.
+// tolerance: how far floats may be off, as rounding.h has it; 0: not at all.
 struct ColorLaw {
   std::string name;
   ExactPixels pixels = ExactPixels::kAll;
   double tolerance = 0;
+  std::vector<ChannelKind> kinds;  // by output; outputs beyond its end are floats
   bool computed_depth = false;  // depth is a float of the shader's, and the tolerance holds for it, too
   // Depth tells what was drawn; not so where tests come before a shader that discards: its depth is kept all the same.
   bool depth_tells_coverage = true;
-  const std::vector<bool>* left_out = nullptr;  // pixels whose colours are not compared
+  const std::vector<bool>* left_out = nullptr;  // pixels whose colours are not compared (null: none is left out)
 };
 
 // Depth must equal the original's everywhere, and exactly the pixels that are neither hit nor miss must show the clear depth.
@@ -33,14 +36,20 @@ std::optional<Violation> findViolation(const HarnessFrame& original, const Harne
 
 bool covered(const HarnessFrame& frame, std::size_t pixel);  // by depth
 
-// Of two images of one output; tolerance as in ColorLaw.
-bool samePixel(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b, std::size_t pixel, double tolerance);
+// What the harness's targets hold for these outputs: floats or integers.
+std::vector<ChannelKind> channelKinds(const std::vector<FragmentOutput>& outputs);
 
-// Whether two originals' frames have the same colours, within a tolerance as ColorLaw has it.
+// Whether two frames of floats have the same colours, within a tolerance as ColorLaw has it.
 bool sameColors(const HarnessFrame& a, const HarnessFrame& b, double tolerance);
 
-// Of the original's frame: why it would show nothing, or "": too little covered, not finite, or the same everywhere.
-std::string whyMeaningless(const HarnessFrame& original, const std::vector<FragmentOutput>& outputs);
+// What an original's frame can show. kNothing: too little covered, or not finite. kConstant: the same everywhere, so that a
+// comparison says something, but nothing of a cache.
+enum class Showing { kNothing, kConstant, kVaries };
+struct Meaning {
+  Showing shows = Showing::kVaries;
+  std::string why;  // empty if it varies
+};
+Meaning meaningOf(const HarnessFrame& original, const std::vector<FragmentOutput>& outputs);
 
 std::size_t countKind(const HarnessFrame& frame, std::uint8_t kind);  // 1 hits, 2 misses
 

@@ -4,13 +4,16 @@
 
 namespace reprise {
 
-Result<ShaderProgram> harnessProgram(const CompiledShader& fragment) {
-  ReflectOptions lenient;
-  lenient.skip_unknown_members = lenient.any_arrays = lenient.any_bindings = true;
+Result<CompiledShader> harnessVertex(const CompiledShader& fragment) {
   REPRISE_ASSIGN(const std::string text, harnessVertexText(fragment.words));
   CompileOptions options;
   options.stage = ShaderStage::kVertex;
-  REPRISE_ASSIGN(const CompiledShader vertex, compileText(text, "harness.vert", options));
+  return compileText(text, "harness.vert", options);
+}
+
+Result<ShaderProgram> harnessProgram(const CompiledShader& vertex, const CompiledShader& fragment) {
+  ReflectOptions lenient;
+  lenient.skip_unknown_members = lenient.any_arrays = lenient.any_bindings = true;
   return readProgram(vertex, fragment, lenient);
 }
 

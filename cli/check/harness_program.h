@@ -5,8 +5,10 @@
 
 namespace reprise {
 
-// Lenient in what the interface holds: the harness makes up contents for what scenarios cannot give. Errors: those of
-// harnessVertexText and readProgram.
-Result<ShaderProgram> harnessProgram(const CompiledShader& fragment);
+// Errors: those of harnessVertexText and compileText.
+Result<CompiledShader> harnessVertex(const CompiledShader& fragment);
+
+// Lenient in what the interface holds: the harness makes up contents for what scenarios cannot give. Errors: those of readProgram.
+Result<ShaderProgram> harnessProgram(const CompiledShader& vertex, const CompiledShader& fragment);
 
 }  // namespace reprise

@@ -1,28 +1,24 @@
 #include "cli/check/run_modules.h"
 
-#include <fcntl.h>
-#include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
+#include <array>
 #include <deque>
 #include <iostream>
 #include <iterator>
 
 #include "cli/check/check_module.h"
-
-extern char** environ;
+#include "cli/check/reference/child_process.h"
+#include "cli/check/reference/pipe_messages.h"
+#include "cli/check/reference/time_limit.h"
 
 namespace reprise {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-constexpr const char* kOriginalRuns = "original runs";
 constexpr int kPollMilliseconds = 50;
 
 struct Worker {
@@ -30,48 +26,34 @@ struct Worker {
   pid_t process = -1;
   int output = -1;
   std::string text;
-  Clock::time_point start;
+  TimeLimit limit{-1, 0};
   bool timed_out = false;
 };
 
-bool writeAll(int descriptor, const std::string& text) {
-  std::size_t sent = 0;
-  while (sent < text.size()) {
-    const ssize_t written = ::write(descriptor, text.data() + sent, text.size() - sent);
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return false;
-    sent += static_cast<std::size_t>(written);
+// What a worker tells of itself as it goes on; the last one tells whose fault its end is.
+constexpr std::array<const char*, 4> kStages = {"compiles", "prepares", "plays the original", "plays variants"};
+std::string stageLine(CheckStage stage) { return std::string("stage: ") + kStages[static_cast<std::size_t>(stage)] + "\n"; }
+
+CheckStage lastStage(const std::string& text) {
+  CheckStage last = CheckStage::kCompile;
+  std::size_t place = 0;
+  for (std::size_t i = 0; i < kStages.size(); ++i) {
+    const std::size_t at = text.rfind(stageLine(static_cast<CheckStage>(i)));
+    if (at != std::string::npos && at >= place) place = at, last = static_cast<CheckStage>(i);
   }
-  return true;
+  return last;
 }
 
-// Standard error goes nowhere: drivers and assertions of crashing shaders would drown the verdicts.
-Result<Worker> startWorker(const std::string& executable, const CheckRequest& request) {
-  int input[2], output[2];
-  if (::pipe2(input, O_CLOEXEC) != 0) return Error{ErrorKind::kMachine, "check.process", "no pipe to a checking process", {}};
-  if (::pipe2(output, O_CLOEXEC) != 0) {
-    ::close(input[0]), ::close(input[1]);
-    return Error{ErrorKind::kMachine, "check.process", "no pipe from a checking process", {}};
-  }
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, input[0], STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, output[1], STDOUT_FILENO);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  std::string name = executable, verb = "check-worker";
-  char* arguments[] = {name.data(), verb.data(), nullptr};
+Result<Worker> startWorker(const RunModulesOptions& options, CheckRequest request) {
+  request.timeout_s = options.module_timeout_s;
+  REPRISE_ASSIGN(const ChildProcess child, startChild(options.worker_path, "check-worker"));
+  const std::string text = requestToJson(request);
+  writeAll(child.input, text.data(), text.size());
+  ::close(child.input);
   Worker worker;
-  const int status = ::posix_spawn(&worker.process, executable.c_str(), &actions, nullptr, arguments, environ);
-  posix_spawn_file_actions_destroy(&actions);
-  ::close(input[0]), ::close(output[1]);
-  if (status == 0) writeAll(input[1], requestToJson(request));
-  ::close(input[1]);
-  if (status != 0) {
-    ::close(output[0]);
-    return Error{ErrorKind::kMachine, "check.process", "no process could be started from " + executable, {}};
-  }
-  worker.output = output[0];
-  worker.start = Clock::now();
+  worker.process = child.process;
+  worker.output = child.output;
+  worker.limit = TimeLimit(child.process, options.module_timeout_s);
   return worker;
 }
 
@@ -79,6 +61,37 @@ void stop(Worker& worker) {
   ::kill(worker.process, SIGKILL);
   ::waitpid(worker.process, nullptr, 0);
   ::close(worker.output);
+}
+
+// Of a worker that ended without a verdict.
+ModuleVerdict verdictOfEnd(const Worker& worker, int status) {
+  ModuleVerdict verdict;
+  verdict.seconds = worker.limit.elapsedSeconds();
+  const std::string how = worker.timed_out ? "gave no answer in time" : howItEnded(status);
+  const std::string ending = worker.timed_out ? "hung" : "crashed";
+  verdict.verdict = worker.timed_out ? Verdict::kHung : Verdict::kCrashed;
+  switch (lastStage(worker.text)) {
+    case CheckStage::kCompile:
+      verdict.verdict = Verdict::kUntestable;
+      verdict.code = "source." + ending;
+      verdict.reason = "the process " + how + " while it compiled the shader, before any rewrite";
+      break;
+    case CheckStage::kPrepare:
+      verdict.code = "prepare." + ending;
+      verdict.reason = "the process that prepares and rewrites the module " + how;
+      break;
+    case CheckStage::kOriginal:
+      // The process waits for the reference, which has a limit of its own: it is late only where the machine is.
+      if (worker.timed_out) verdict.verdict = Verdict::kUntestable;
+      verdict.code = worker.timed_out ? "original.hung" : "prepare.crashed";
+      verdict.reason = "the process that waits for the image of the module alone " + how;
+      break;
+    case CheckStage::kVariants:
+      verdict.code = "variant." + ending;
+      verdict.reason = "the original runs, but the process of its variants " + how;
+      break;
+  }
+  return verdict;
 }
 
 // Of a worker that has closed its output.
@@ -91,25 +104,17 @@ ModuleVerdict verdictOf(const Worker& worker, const std::string& path, int statu
       // Half a verdict: the process ended while it wrote.
     }
   }
-  ModuleVerdict verdict;
+  ModuleVerdict verdict = verdictOfEnd(worker, status);
   verdict.path = path;
-  verdict.seconds = std::chrono::duration<double>(Clock::now() - worker.start).count();
-  const bool ours = worker.text.find(kOriginalRuns) != std::string::npos;
-  const std::string how = worker.timed_out ? "gave no answer in time"
-                          : WIFSIGNALED(status) ? fmt::format("ended by signal {}", WTERMSIG(status))
-                                                : fmt::format("ended with status {}", WEXITSTATUS(status));
-  verdict.verdict = !ours ? Verdict::kUntestable : worker.timed_out ? Verdict::kHung : Verdict::kCrashed;
-  verdict.code = (ours ? "variant." : "original.") + std::string(worker.timed_out ? "hung" : "crashed");
-  verdict.reason = std::string(ours ? "the original runs, but the process of its variants " : "before the original had been played, the process ") + how;
   return verdict;
 }
 
 // A device that one process loses or fills is lost to its neighbours, too, and a busy one lets them run out of time: only alone
 // does such an end say something about the module.
 bool wantsASecondRun(const ModuleVerdict& verdict) {
-  for (const char* code : {"device.lost", "device.timeout", "device.memory", "original.crashed", "original.hung", "variant.crashed", "variant.hung"})
+  for (const char* code : {"device.lost", "device.timeout", "device.memory"})
     if (verdict.code == code) return true;
-  return false;
+  return verdict.code.ends_with(".crashed") || verdict.code.ends_with(".hung");
 }
 
 class ModuleRun {
@@ -131,7 +136,7 @@ class ModuleRun {
   Result<void> runWaiting() {
     while (!waiting_.empty() || !workers_.empty()) {
       while (!waiting_.empty() && workers_.size() < jobs_) {
-        Result<Worker> worker = startWorker(options_.worker_path, requests_[waiting_.front()]);
+        Result<Worker> worker = startWorker(options_, requests_[waiting_.front()]);
         if (!worker.ok()) return ended(worker.error());
         worker->request = waiting_.front();
         waiting_.pop_front();
@@ -154,7 +159,7 @@ class ModuleRun {
     ::poll(polled.data(), polled.size(), kPollMilliseconds);
     for (std::size_t i = workers_.size(); i-- > 0;) {
       Worker& worker = workers_[i];
-      if (std::chrono::duration<double>(Clock::now() - worker.start).count() > options_.module_timeout_s && !worker.timed_out) {
+      if (!worker.timed_out && worker.limit.isOver()) {
         worker.timed_out = true;
         ::kill(worker.process, SIGKILL);
       }
@@ -199,13 +204,16 @@ Result<std::vector<ModuleVerdict>> runModules(const std::vector<CheckRequest>& r
   return ModuleRun(requests, options, done).run();
 }
 
-int runCheckWorker() {
+int runCheckWorker(const std::string& executable) {
   // Drivers that print to standard output must not garble the answer.
   const int answers = ::dup(STDOUT_FILENO);
   ::dup2(STDERR_FILENO, STDOUT_FILENO);
-  const std::string text((std::istreambuf_iterator<char>(std::cin)), std::istreambuf_iterator<char>());
-  const ModuleVerdict verdict = checkModule(requestFromJson(text), [&] { writeAll(answers, std::string(kOriginalRuns) + "\n"); });
-  return writeAll(answers, verdictToJson(verdict) + "\n") ? 0 : 1;
+  const auto tell = [&](const std::string& text) { return writeAll(answers, text.data(), text.size()); };
+  const CheckRequest request = requestFromJson(std::string((std::istreambuf_iterator<char>(std::cin)), std::istreambuf_iterator<char>()));
+  CheckHooks hooks;
+  hooks.enters = [&](CheckStage stage) { tell(stageLine(stage)); };
+  hooks.start_reference = [&](const ReferenceModule& module) { return startReferenceProcess(executable, module, request.timeout_s / 2); };
+  return tell(verdictToJson(checkModule(request, hooks)) + "\n") ? 0 : 1;
 }
 
 }  // namespace reprise

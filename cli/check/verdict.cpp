@@ -8,7 +8,7 @@
 namespace reprise {
 namespace {
 
-constexpr std::array<const char*, 6> kNames = {"verified", "refused", "untestable", "failed", "crashed", "hung"};
+constexpr std::array<const char*, 7> kNames = {"verified", "unshown", "refused", "untestable", "failed", "crashed", "hung"};
 
 std::string textOf(const nlohmann::json& json) { return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); }
 
@@ -22,6 +22,8 @@ std::string quoted(const std::string& word) {
 }  // namespace
 
 const char* nameOf(Verdict verdict) { return kNames[static_cast<std::size_t>(verdict)]; }
+
+bool isOurFault(Verdict verdict) { return verdict == Verdict::kFailed || verdict == Verdict::kCrashed || verdict == Verdict::kHung; }
 
 std::string verdictToJson(const ModuleVerdict& verdict) {
   return textOf({{"path", verdict.path}, {"verdict", nameOf(verdict.verdict)}, {"code", verdict.code}, {"reason", verdict.reason},
@@ -48,7 +50,7 @@ ModuleVerdict verdictFromJson(const std::string& text) {
 std::string requestToJson(const CheckRequest& request) {
   return textOf({{"path", request.path}, {"device", request.device}, {"entry_point", request.entry_point},
                  {"include_dirs", request.include_dirs}, {"defines", request.defines}, {"seed", request.seed},
-                 {"candidates", request.candidates}, {"strategy", request.strategy}});
+                 {"candidates", request.candidates}, {"strategy", request.strategy}, {"timeout_s", request.timeout_s}});
 }
 
 CheckRequest requestFromJson(const std::string& text) {
@@ -62,6 +64,7 @@ CheckRequest requestFromJson(const std::string& text) {
   request.seed = json.at("seed");
   request.candidates = json.at("candidates");
   request.strategy = json.at("strategy");
+  request.timeout_s = json.at("timeout_s");
   return request;
 }
 
@@ -73,7 +76,8 @@ std::string repeatCommand(const CheckRequest& request, std::uint32_t seed, const
   if (request.entry_point != defaults.entry_point) command += " --entry-point " + quoted(request.entry_point);
   if (!request.device.empty()) command += " --device " + quoted(request.device);
   if (request.candidates != defaults.candidates) command += fmt::format(" --candidates {}", request.candidates);
-  return command + fmt::format(" --seed {} --strategy {}", seed, strategy);
+  command += fmt::format(" --seed {}", seed);
+  return strategy.empty() ? command : command + " --strategy " + strategy;
 }
 
 }  // namespace reprise

@@ -9,18 +9,22 @@ namespace reprise {
 
 enum class Verdict {
   kVerified,    // every law held in every strategy that could be built, and the inputs made that mean something
+  kUnshown,     // every law held, but nothing of the cache could show in the image
   kRefused,     // Reprise says that it cannot cache this shader, and why
-  kUntestable,  // no inputs could be made up that show anything, or the original alone does not run
+  kUntestable,  // no inputs could be made up that show a defined image, or the original alone does not run
   kFailed,      // a law was broken: a bug in Reprise
-  kCrashed,     // a variant took the process down, or the time limit, though the original alone runs
+  kCrashed,     // a rewrite or a variant took the process down, or the time limit, though the original alone runs
   kHung
 };
-const char* nameOf(Verdict verdict);  // "verified", "refused", ...
+inline constexpr Verdict kVerdicts[] = {Verdict::kVerified, Verdict::kUnshown, Verdict::kRefused, Verdict::kUntestable,
+                                        Verdict::kFailed, Verdict::kCrashed, Verdict::kHung};
+const char* nameOf(Verdict verdict);  // "verified", "unshown", ...
+bool isOurFault(Verdict verdict);     // failed, crashed, hung
 
 struct ModuleVerdict {
   std::string path;
   Verdict verdict = Verdict::kUntestable;
-  std::string code;    // "candidate.none", "law.misses_exact", ...; empty if verified
+  std::string code;    // "candidate.none", "law.misses_exact", "prepare", ...; empty if verified
   std::string reason;  // one sentence; for a broken law the smallest case and the command that repeats it
   int candidates = 0;  // tried
   int variants = 0;    // that held all laws
@@ -38,9 +42,10 @@ struct CheckRequest {
   std::uint32_t seed = 1;
   int candidates = 1;                // how many of the best ones
   std::string strategy;              // empty: all
+  double timeout_s = 60;             // for the module; the reference has half of it for an answer
 };
 
-// The words for a shell that check the same module with the same inputs, in one strategy.
+// The words for a shell that check the same module with the same inputs, in one strategy, or all if it is empty.
 std::string repeatCommand(const CheckRequest& request, std::uint32_t seed, const std::string& strategy);
 
 // One line of JSON each; the worker's side of the pipe and --json alike.

@@ -52,8 +52,9 @@ Result<void> checkStrategy(const std::string& name) {
 
 std::string lineOf(const ModuleVerdict& verdict) {
   std::string line = fmt::format("{}: {}", verdict.path, verdict.verdict == Verdict::kFailed ? "FAILED" : nameOf(verdict.verdict));
-  if (verdict.verdict == Verdict::kVerified) {
-    line += fmt::format(" ({} variants, {:.1f} s)", verdict.variants, verdict.seconds);
+  const bool unshown = verdict.verdict == Verdict::kUnshown;
+  if (verdict.verdict == Verdict::kVerified || unshown) {
+    line += fmt::format("{} ({} variants, {:.1f} s)", unshown ? " " + verdict.code : "", verdict.variants, verdict.seconds);
     for (const std::string& refused : verdict.refused_strategies) line += ", not " + refused;
     return verdict.reason.empty() ? line : line + ", " + verdict.reason;
   }
@@ -78,21 +79,22 @@ Result<bool> checkShaders(const CheckArguments& arguments, std::ostream& out, st
   options.jobs = arguments.jobs > 0 ? arguments.jobs : static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
   options.module_timeout_s = arguments.module_timeout_s;
   options.interrupted = arguments.interrupted;
-  std::array<int, 6> counts{};
+  std::array<int, std::size(kVerdicts)> counts{};
   REPRISE_ASSIGN(const std::vector<ModuleVerdict> verdicts, runModules(requests, options, [&](const ModuleVerdict& verdict) {
                    ++counts[static_cast<std::size_t>(verdict.verdict)];
                    if (!arguments.json || !arguments.quiet) (arguments.json ? progress : out) << lineOf(verdict) << '\n' << std::flush;
                  }));
-  const auto count = [&](Verdict verdict) { return counts[static_cast<std::size_t>(verdict)]; };
   if (arguments.json) {
     out << "{\"modules\": [\n";
     for (std::size_t i = 0; i < verdicts.size(); ++i) out << "  " << verdictToJson(verdicts[i]) << (i + 1 < verdicts.size() ? ",\n" : "\n");
     out << "]}\n";
   } else if (files.size() > 1 && !arguments.quiet) {
-    out << fmt::format("{} modules: {} verified, {} refused, {} untestable, {} failed, {} crashed, {} hung\n", files.size(), count(Verdict::kVerified),
-                       count(Verdict::kRefused), count(Verdict::kUntestable), count(Verdict::kFailed), count(Verdict::kCrashed), count(Verdict::kHung));
+    std::string summary = fmt::format("{} modules:", files.size());
+    for (const Verdict verdict : kVerdicts)
+      summary += fmt::format("{} {} {}", verdict == kVerdicts[0] ? "" : ",", counts[static_cast<std::size_t>(verdict)], nameOf(verdict));
+    out << summary << '\n';
   }
-  return count(Verdict::kFailed) + count(Verdict::kCrashed) + count(Verdict::kHung) == 0;
+  return std::none_of(verdicts.begin(), verdicts.end(), [](const ModuleVerdict& verdict) { return isOurFault(verdict.verdict); });
 }
 
 }  // namespace reprise

@@ -149,10 +149,16 @@ Module withoutContraction(const Module& module) {
   for (const Instruction& annotation : module.annotations)
     if (annotation.opcode == Op::OpDecorate && static_cast<spv::Decoration>(annotation.word(1)) == spv::Decoration::NoContraction)
       decorated.insert(annotation.word(0));
+  std::uint32_t functions_set = 0;
+  for (const Instruction& import : module.imports)
+    if (stringOf(import.operands[0]) == "GLSL.std.450") functions_set = import.result_id;
+  const auto computes = [&](const Instruction& instruction) {
+    return isFloatArithmetic(instruction.opcode) || (instruction.opcode == Op::OpExtInst && instruction.word(0) == functions_set);
+  };
   for (const Function& function : module.functions)
     for (const Block& block : function.blocks)
       for (const Instruction& instruction : block.instructions)
-        if (isFloatArithmetic(instruction.opcode) && decorated.insert(instruction.result_id).second)
+        if (computes(instruction) && decorated.insert(instruction.result_id).second)
           addDecoration(result, instruction.result_id, spv::Decoration::NoContraction);
   return result;
 }

@@ -9,7 +9,8 @@ namespace reprise {
 // first store. Values that have no zero (images, pointers) are left as they are.
 Module withDefinedValues(const Module& module);
 
-// Every arithmetic instruction on floats decorated NoContraction: no fused, reassociated or distributed operations.
+// Every arithmetic instruction on floats and every function of GLSL.std.450 decorated NoContraction: no fused, reassociated or distributed
+// operations. (glslang does the same for `precise` values; drivers expand mix, for instance, by what stands around it.)
 Module withoutContraction(const Module& module);
 
 }  // namespace reprise

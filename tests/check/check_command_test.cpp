@@ -15,7 +15,7 @@ TEST(CheckCommand, PrintsALineForEachModuleAndASummary) {
   const CommandOutcome outcome = runCommand({REPRISE_EXECUTABLE, "check", kShaders + "/straight_line", kShaders + "/discard/discard.frag"});
   EXPECT_EQ(outcome.status, 0) << outcome.all();
   EXPECT_NE(outcome.output.find("straight_line.frag: verified (6 variants"), std::string::npos) << outcome.all();
-  EXPECT_NE(outcome.output.find("2 modules: 2 verified, 0 refused, 0 untestable, 0 failed, 0 crashed, 0 hung"), std::string::npos) << outcome.all();
+  EXPECT_NE(outcome.output.find("2 modules: 2 verified, 0 unshown, 0 refused, 0 untestable, 0 failed, 0 crashed, 0 hung"), std::string::npos) << outcome.all();
 }
 
 TEST(CheckCommand, JsonHasEveryModule) {
@@ -30,6 +30,17 @@ TEST(CheckCommand, JsonHasEveryModule) {
   EXPECT_EQ(modules[1].at("verdict"), "refused");
   EXPECT_EQ(modules[1].at("code"), "candidate.none");
   for (const char* key : {"path", "reason", "candidates", "seconds"}) EXPECT_TRUE(modules[0].contains(key)) << key;
+}
+
+TEST(CheckCommand, WhatNothingCanShowIsNoFailure) {
+  TemporaryFolder folder;
+  const std::string shader = (folder / "dark.frag").string();
+  writeText(shader, "#version 450\nlayout(location = 0) in vec3 place;\nlayout(location = 0) out vec4 color;\n"
+                    "void main() { color = vec4(max(sin(place.x) - 5.0, 0.0)); }\n");
+  const CommandOutcome outcome = runCommand({REPRISE_EXECUTABLE, "check", shader, shader});
+  EXPECT_EQ(outcome.status, 0) << outcome.all();
+  EXPECT_NE(outcome.output.find("dark.frag: unshown image.constant (6 variants"), std::string::npos) << outcome.all();
+  EXPECT_NE(outcome.output.find("2 modules: 0 verified, 2 unshown"), std::string::npos) << outcome.all();
 }
 
 TEST(CheckCommand, JsonGoesWithProgressOnStandardError) {

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/check/frame_laws.h"
-#include "compiler/source/harness_vertex.h"
-#include "compiler/strategies/build_package.h"
+#include <bit>
+#include <filesystem>
+
+#include "cli/check/harness_program.h"
+#include "cli/check/module_player.h"
 #include "tests/e2e/run_command.h"
 
 namespace reprise {
@@ -17,11 +19,22 @@ class CheckModule : public testing::Test {
     writeText(folder_ / "test.frag", text);
     CheckRequest request;
     request.path = (folder_ / "test.frag").string();
-    return checkModule(request, [this] { ++originals_; });
+    return checkWith(request, REPRISE_EXECUTABLE);
+  }
+
+  ModuleVerdict checkWith(const CheckRequest& request, const std::string& executable) {
+    CheckHooks hooks;
+    hooks.enters = [](CheckStage) {};
+    hooks.start_reference = [this, executable](const ReferenceModule& module) {
+      ++references_;
+      return startReferenceProcess(executable, module, request_timeout_s_);
+    };
+    return checkModule(request, hooks);
   }
 
   TemporaryFolder folder_;
-  int originals_ = 0;
+  int references_ = 0;
+  double request_timeout_s_ = 60;
 };
 
 constexpr const char* kHead = "#version 450\nlayout(location = 0) in vec3 place;\nlayout(location = 0) out vec4 color;\n";
@@ -30,7 +43,7 @@ TEST_F(CheckModule, VerifiesEveryStrategy) {
   const ModuleVerdict verdict = checkText(std::string(kHead) + "void main() { color = vec4(sin(place * 7.0) * exp(place.x), 1.0) * 0.5; }\n");
   EXPECT_EQ(verdict.verdict, Verdict::kVerified) << verdict.code << ' ' << verdict.reason;
   EXPECT_EQ(verdict.variants, 6);
-  EXPECT_GE(originals_, 1);
+  EXPECT_EQ(references_, 1);
 }
 
 TEST_F(CheckModule, MakesUpInputsOfEveryKind) {
@@ -65,14 +78,41 @@ TEST_F(CheckModule, RefusesWhatCannotBeCached) {
   EXPECT_EQ(writes.code, "shader.side_effects");
   const ModuleVerdict constant = checkText("#version 450\nlayout(location = 0) out vec4 color;\nvoid main() { color = vec4(1.0); }\n");
   EXPECT_EQ(constant.code, "candidate.none");
-  EXPECT_EQ(originals_, 0);
+  EXPECT_EQ(references_, 0);
+}
+
+TEST_F(CheckModule, HoldsTheLawsWhereNothingCanShow) {
+  const ModuleVerdict verdict = checkText(std::string(kHead) + "void main() { color = vec4(max(sin(place.x) - 5.0, 0.0)); }\n");
+  EXPECT_EQ(verdict.verdict, Verdict::kUnshown) << verdict.code << ' ' << verdict.reason;
+  EXPECT_EQ(verdict.code, "image.constant");
+  EXPECT_EQ(verdict.variants, 6);
 }
 
 TEST_F(CheckModule, SaysWhenInputsShowNothing) {
-  const ModuleVerdict verdict = checkText(std::string(kHead) + "void main() { color = vec4(max(sin(place.x) - 5.0, 0.0)); }\n");
+  const ModuleVerdict verdict = checkText(std::string(kHead) + "void main() { color = sqrt(vec4(-5.0 - sin(place.x))); }\n");
   EXPECT_EQ(verdict.verdict, Verdict::kUntestable);
   EXPECT_EQ(verdict.code, "inputs.meaningless");
-  EXPECT_NE(verdict.reason.find("the same everywhere"), std::string::npos) << verdict.reason;
+  EXPECT_NE(verdict.reason.find("not finite"), std::string::npos) << verdict.reason;
+}
+
+TEST_F(CheckModule, AModuleThatTakesItsProcessDownIsNoFaultOfOurs) {
+  writeText(folder_ / "reference", "#!/bin/sh\nkill -SEGV $$\n");
+  std::filesystem::permissions(folder_ / "reference", std::filesystem::perms::owner_all);
+  writeText(folder_ / "test.frag", std::string(kHead) + "void main() { color = vec4(sin(place * 7.0) * exp(place.x), 1.0); }\n");
+  CheckRequest request;
+  request.path = (folder_ / "test.frag").string();
+  const ModuleVerdict verdict = checkWith(request, (folder_ / "reference").string());
+  EXPECT_EQ(verdict.verdict, Verdict::kUntestable);
+  EXPECT_EQ(verdict.code, "original.crashed");
+  EXPECT_NE(verdict.reason.find("signal 11"), std::string::npos) << verdict.reason;
+  EXPECT_NE(verdict.reason.find("test.frag"), std::string::npos) << verdict.reason;
+}
+
+// A channel that is -0 in the one and 0 in the other shows the same.
+TEST_F(CheckModule, NegativeZeroIsZero) {
+  const ModuleVerdict verdict =
+      checkText(std::string(kHead) + "void main() { float wave = sin(place.x * 7.0); color = vec4(wave, -abs(min(wave, 0.0) * 0.0), wave * -0.0, 1.0); }\n");
+  EXPECT_EQ(verdict.verdict, Verdict::kVerified) << verdict.code << ' ' << verdict.reason;
 }
 
 // Where the device ends an endless loop the shader's other loops end with it, on either side as it happens.
@@ -87,8 +127,16 @@ TEST_F(CheckModule, EndlessLoopsAreTheShadersOwnFault) {
   EXPECT_EQ(verdict.code, "original.endless");
 }
 
-TEST_F(CheckModule, UndefinedValuesAreNoDifference) {
+TEST_F(CheckModule, UndefinedValuesAreNothingToCompareWith) {
   const ModuleVerdict verdict = checkText(std::string(kHead) + "void main() { vec4 sum; sum.xyz += sin(place * 5.0); color = sum; }\n");
+  EXPECT_EQ(verdict.verdict, Verdict::kUntestable) << verdict.code << ' ' << verdict.reason;
+  EXPECT_EQ(verdict.code, "inputs.undefined");
+}
+
+// Declared without a value and assigned on every way.
+TEST_F(CheckModule, WhatOnlyLooksUndefinedIsCompared) {
+  const ModuleVerdict verdict = checkText(std::string(kHead) + "void main() { vec4 sum; for (int i = 0; i < 9; ++i) { if (i == 0) sum = vec4(place, 1.0); "
+                                                               "sum = sin(sum * 1.3 + float(i)); } color = sum; }\n");
   EXPECT_EQ(verdict.verdict, Verdict::kVerified) << verdict.code << ' ' << verdict.reason;
 }
 
@@ -98,12 +146,43 @@ TEST_F(CheckModule, BrokenSourceIsSaidToBeThat) {
   EXPECT_EQ(verdict.code, "source.syntax");
 }
 
+struct Made {
+  CompiledShader fragment, vertex;
+  ShaderProgram program;
+};
+
+Made makeWaves() {
+  Made made;
+  made.fragment = compileText(std::string(kHead) + "void main() { color = vec4(sin(place * 7.0) * exp(place.x), 1.0); }\n", "test.frag", {}).value();
+  made.vertex = harnessVertex(made.fragment).value();
+  made.program = harnessProgram(made.vertex, made.fragment).value();
+  return made;
+}
+
+// One wrong constant in the prepared module stands for a preparation that is wrong: all variants would agree with it.
+TEST(Laws, ConvictAWrongPreparation) {
+  const Context context = Context::create({}).value();
+  Commands commands = Commands::create(context).value();
+  for (const bool wrong : {false, true}) {
+    Made made = makeWaves();
+    PreparedShader prepared = *made.program.fragment;
+    for (Instruction& global : prepared.module.globals)
+      if (wrong && global.opcode == spv::Op::OpConstant && global.word(0) == std::bit_cast<std::uint32_t>(7.0f)) global.operands[0].words[0] = std::bit_cast<std::uint32_t>(7.125f);
+    made.program.fragment = std::make_shared<const PreparedShader>(std::move(prepared));
+    const auto reference = startReferenceProcess(REPRISE_EXECUTABLE, {"test.frag", "", made.vertex.words, made.fragment.words}, 60);
+    ASSERT_TRUE(reference.ok());
+    ModulePlayer player(context, commands, made.program, *reference);
+    ASSERT_TRUE(player.setInputs({}).ok());
+    OriginalFrames frames([&](bool no_contraction) { return player.originals(no_contraction); });
+    const auto held = holdPrepared(frames, player.terms(nullptr, ""), Computation::kUnknown);
+    ASSERT_TRUE(held.ok()) << held.error().message;
+    EXPECT_EQ(held->judgement, wrong ? Judgement::kOurs : Judgement::kEqual);
+  }
+}
+
 // Hits with wrong payloads stand for a rewrite that is wrong: the frozen world must not be exact then.
 TEST(Laws, NoticeAPoisonedCache) {
-  const CompiledShader fragment =
-      compileText(std::string(kHead) + "void main() { color = vec4(sin(place * 7.0) * exp(place.x), 1.0); }\n", "test.frag", {}).value();
-  const CompiledShader vertex = compileText(harnessVertexText(fragment.words).value(), "harness.vert", {}).value();
-  const ShaderProgram program = readProgram(vertex, fragment).value();
+  const ShaderProgram program = makeWaves().program;
   const std::vector<Candidate> candidates = enumerateCandidates(*program.fragment, program.analysis, program.sources, {});
   ASSERT_FALSE(candidates.empty());
   const Context context = Context::create({}).value();
@@ -122,7 +201,7 @@ TEST(Laws, NoticeAPoisonedCache) {
     harness.play(variant, {0, 4}).value();
     const HarnessFrame played = harness.play(variant, {0, 4}).value();
     EXPECT_GT(countKind(played, 1), 500u);
-    const auto violation = findViolation(expected, played, {"law.frozen_world", ExactPixels::kAll, 0});
+    const auto violation = findViolation(expected, played, {"law.frozen_world", ExactPixels::kAll, 0, {}});
     EXPECT_EQ(violation.has_value(), poisoned) << (violation ? violation->expected + " / " + violation->found : "");
   }
 }

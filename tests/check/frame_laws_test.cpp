@@ -103,13 +103,15 @@ TEST(FrameLaws, PixelsLeftOutAreCountedButNotCompared) {
 
 TEST(MeaninglessInputs, AreToldWithTheReason) {
   const std::vector<FragmentOutput> outputs = {{"color", 0, ScalarKind::kFloat, 4}};
-  EXPECT_EQ(whyMeaningless(frameOf(1, 2), outputs), "");
-  EXPECT_NE(whyMeaningless(frameOf(2, 2), outputs).find("the same"), std::string::npos);
+  EXPECT_EQ(meaningOf(frameOf(1, 2), outputs).shows, Showing::kVaries);
+  const Meaning constant = meaningOf(frameOf(2, 2), outputs);
+  EXPECT_EQ(constant.shows, Showing::kConstant);
+  EXPECT_NE(constant.why.find("the same"), std::string::npos);
   const float infinite = std::numeric_limits<float>::infinity();
-  EXPECT_NE(whyMeaningless(frameOf(infinite, infinite), outputs).find("not finite"), std::string::npos);
+  EXPECT_NE(meaningOf(frameOf(infinite, infinite), outputs).why.find("not finite"), std::string::npos);
   HarnessFrame empty = frameOf(1, 2);
   empty.depth = {kClear, kClear, kClear};
-  EXPECT_NE(whyMeaningless(empty, outputs).find("covers 0"), std::string::npos);
+  EXPECT_NE(meaningOf(empty, outputs).why.find("covers 0"), std::string::npos);
 }
 
 }  // namespace

@@ -28,26 +28,34 @@ class RunModules : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(RunModules, ACrashAfterTheOriginalIsOurs) {
-  const ModuleVerdict verdict = verdictOf("echo original runs\nkill -SEGV $$");
+TEST_F(RunModules, ACrashOfVariantsIsOurs) {
+  const ModuleVerdict verdict = verdictOf("echo stage: compiles\necho stage: plays variants\nkill -SEGV $$");
   EXPECT_EQ(verdict.verdict, Verdict::kCrashed);
   EXPECT_EQ(verdict.code, "variant.crashed");
   EXPECT_NE(verdict.reason.find("signal 11"), std::string::npos) << verdict.reason;
 }
 
-TEST_F(RunModules, ACrashOfTheOriginalIsNot) {
-  const ModuleVerdict verdict = verdictOf("kill -SEGV $$");
+// The reference has a process of its own, so nothing else than our passes runs then.
+TEST_F(RunModules, ACrashWhilePreparingIsOurs) {
+  const ModuleVerdict verdict = verdictOf("echo stage: compiles\necho stage: prepares\nexit 70");
+  EXPECT_EQ(verdict.verdict, Verdict::kCrashed);
+  EXPECT_EQ(verdict.code, "prepare.crashed");
+  EXPECT_NE(verdict.reason.find("status 70"), std::string::npos) << verdict.reason;
+}
+
+TEST_F(RunModules, ACrashOfTheCompilerIsNot) {
+  const ModuleVerdict verdict = verdictOf("echo stage: compiles\nkill -SEGV $$");
   EXPECT_EQ(verdict.verdict, Verdict::kUntestable);
-  EXPECT_EQ(verdict.code, "original.crashed");
+  EXPECT_EQ(verdict.code, "source.crashed");
 }
 
 TEST_F(RunModules, AHangIsEnded) {
-  EXPECT_EQ(verdictOf("echo original runs\nexec sleep 60").verdict, Verdict::kHung);
-  EXPECT_EQ(verdictOf("exec sleep 60").code, "original.hung");
+  EXPECT_EQ(verdictOf("echo stage: plays variants\nexec sleep 60").code, "variant.hung");
+  EXPECT_EQ(verdictOf("echo stage: plays variants\necho stage: plays the original\nexec sleep 60").code, "original.hung");
 }
 
 TEST_F(RunModules, HalfAVerdictIsACrash) {
-  EXPECT_EQ(verdictOf("echo original runs\nprintf '{\"path\": \"some.frag\", \"verd'").verdict, Verdict::kCrashed);
+  EXPECT_EQ(verdictOf("echo stage: plays variants\nprintf '{\"path\": \"some.frag\", \"verd'").verdict, Verdict::kCrashed);
 }
 
 TEST_F(RunModules, VerdictsKeepTheOrderOfTheirModules) {
@@ -56,7 +64,7 @@ TEST_F(RunModules, VerdictsKeepTheOrderOfTheirModules) {
 request=$(cat)
 path=$(printf '%s' "$request" | sed 's/.*"path":"\([^"]*\)".*/\1/')
 [ "$path" = 0.frag ] && sleep 0.4
-echo original runs
+echo "stage: plays variants"
 echo "{\"path\":\"$path\",\"verdict\":\"verified\",\"code\":\"\",\"reason\":\"\",\"candidates\":1,\"variants\":4,\"refused_strategies\":[],\"seconds\":0.1}"
 )sh");
   std::filesystem::permissions(folder_ / "worker", std::filesystem::perms::owner_all);
@@ -125,6 +133,7 @@ TEST(RepeatCommand, HasAllThatTheInputsDependOn) {
   request.candidates = 3;
   EXPECT_EQ(repeatCommand(request, 1, "two_pass"),
             "reprise check 'it'\\''s.frag' -I 'my includes' -D SIZE=4 -D FAST --entry-point shade --candidates 3 --seed 1 --strategy two_pass");
+  EXPECT_EQ(repeatCommand({"b.frag"}, 3, ""), "reprise check b.frag --seed 3");
 }
 
 TEST(VerdictJson, ComesBackAsItWas) {

@@ -39,6 +39,8 @@ const std::vector<FolderRule> kFolderRules = {
       "profiler/session"}},
     {"fitting", {"profiler/measurements"}},
     {"cli", {"runtime", "compiler", "profiler", "fitting"}},
+    // The reference of `check`: no pass of ours, and nothing that reads a module into our IR.
+    {"cli/check/reference", {"runtime", kSource, "profiler/harness"}},
     // Convicts compiler/ir, so it may share nothing with it.
     {"cli/check/interpreter", {}},
     // Not part of the product: they may see all of it, and nothing of it sees them.

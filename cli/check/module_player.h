@@ -1,0 +1,50 @@
+// One module under check, played in this process: its prepared form and its variants, beside what the reference shows.
+#pragma once
+
+#include <memory>
+
+#include "cli/check/hold_laws.h"
+#include "cli/check/reference/reference.h"
+#include "compiler/strategies/build_package.h"
+
+namespace reprise {
+
+class ModulePlayer {
+ public:
+  // context and commands must outlive it.
+  ModulePlayer(const Context& context, Commands& commands, ShaderProgram program, Reference reference);
+
+  const ShaderProgram& program() const { return program_; }
+
+  // What is played from here on. Errors: those of Harness.
+  Result<void> setInputs(const HarnessOptions& inputs);
+
+  // Errors: those of Reference and Harness.
+  Result<Originals> originals(bool no_contraction);
+  // Another module in the original's place: the same vertex shader and inputs.
+  Result<std::vector<HarnessFrame>> playWords(const std::vector<std::uint32_t>& fragment_words);
+  // Errors: those of buildPackage; device.requirement (kRefused).
+  Result<VariantFrames> variant(const Candidate& candidate, const std::string& strategy, bool no_contraction);
+  // Whether wrong payloads on purpose change what the variant showed under motion.
+  Result<bool> poisonShows(const Candidate& candidate, const std::string& strategy, const std::vector<HarnessFrame>& moving);
+
+  // Of a candidate in a strategy; of the module itself without one.
+  LawTerms terms(const Candidate* candidate, const std::string& strategy) const;
+
+ private:
+  const ShaderProgram& programOf(bool no_contraction);
+  Result<Player> variantPlayer(const ShaderProgram& program, const Candidate& candidate, const VariantOptions& options);
+
+  const Context& context_;
+  Commands& commands_;
+  ShaderProgram program_;
+  std::unique_ptr<const ShaderProgram> strict_;  // with NoContraction on every operation
+  Reference reference_;
+  HarnessOptions inputs_;
+  std::unique_ptr<Harness> harness_;
+};
+
+// The module that everything is made from, as it would ship uncached.
+std::vector<std::uint32_t> preparedWords(const ShaderProgram& program);
+
+}  // namespace reprise
