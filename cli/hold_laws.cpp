@@ -14,8 +14,6 @@
 namespace reprise {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr std::uint32_t kFrozenPeriod = 4;
 // A regrouped sum feeds the cache and is off by some units in the last place, times what the tail makes of it.
 constexpr double kRegroupedTolerance = 2e-3;
@@ -97,128 +95,125 @@ std::optional<LawVerdict> verdictFrom(const std::string& text) {
   return verdict;
 }
 
-// What is to be played for one variant.
+// One package of a variant.
 struct Case {
-  std::vector<LawRequest> requests;
-  std::string key;  // of its verdict in the store
+  std::size_t variant = 0;  // index
+  LawRequest request;
+  std::string key;          // of its verdict in the store
   LawVerdict verdict;
-  bool open = true;
+  bool open = true;         // nothing is known yet
+  bool doubtful = false;    // what differs may be rounding
+
+  void convict(const FailureRow& why) {
+    if (!verdict.conviction) verdict.conviction = why;
+  }
 };
 
 class Court {
  public:
-  Court(const Subject& subject, const Workspace& workspace, const Measuring& measuring)
-      : subject_(subject), workspace_(workspace), measuring_(measuring), sessions_(sessionsOf(subject.scenario)) {}
+  Court(const Subject& subject, const Workspace& workspace, const Measuring& measuring, const std::vector<HeldVariant>& variants)
+      : subject_(subject), workspace_(workspace), measuring_(measuring), variants_(variants), sessions_(sessionsOf(subject.scenario)) {}
 
-  Result<std::vector<LawVerdict>> hold(const std::vector<HeldVariant>& variants, Progress& progress) {
-    std::vector<Case> cases;
-    for (const HeldVariant& variant : variants) {
-      REPRISE_ASSIGN(Case one, prepare(variant));
-      cases.push_back(std::move(one));
-    }
-    const auto open = std::count_if(cases.begin(), cases.end(), [](const Case& one) { return one.open; });
+  Result<std::vector<LawVerdict>> hold(Progress& progress) {
+    verdicts_.resize(variants_.size());
+    for (std::size_t variant = 0; variant < variants_.size(); ++variant) REPRISE_TRY(prepare(variant));
+    const auto open = std::count_if(cases_.begin(), cases_.end(), [](const Case& one) { return one.open; });
     if (open > 0) progress.begin(fmt::format("compare with the original: {}", open));
-    REPRISE_TRY(compare(measuring_, variants, cases));
-    REPRISE_TRY(callWitness(variants, cases));
-    std::vector<LawVerdict> verdicts;
-    for (Case& one : cases) {
-      if (!one.key.empty()) REPRISE_TRY(measuring_.store->putText(one.key, verdictText(one.verdict)));
-      verdicts.push_back(std::move(one.verdict));
+    REPRISE_TRY(compare());
+    REPRISE_TRY(callWitness());
+    for (Case& one : cases_) {
+      // What hung on a busy machine gets another chance in the next run.
+      const bool lasts = !one.verdict.conviction || isLawBroken(*one.verdict.conviction);
+      if (one.open && lasts) REPRISE_TRY(measuring_.store->putText(one.key, verdictText(one.verdict)));
+      LawVerdict& verdict = verdicts_[one.variant];
+      verdict.frozen_hits += one.verdict.frozen_hits;
+      if (!verdict.conviction) verdict.conviction = one.verdict.conviction;
     }
-    return verdicts;
+    return std::move(verdicts_);
   }
 
  private:
-  Result<Case> prepare(const HeldVariant& variant) {
-    Case one;
+  Result<void> prepare(std::size_t index) {
+    const HeldVariant& variant = variants_[index];
     const double tolerance = isRegrouped(variant.candidate) ? kRegroupedTolerance : 0;
     const Result<StoredVariant> copy = storeLawCopy(subject_, workspace_, variant);
     if (!copy.ok()) {
       if (copy.error().kind != ErrorKind::kRefused) return copy.error();
-      one.open = false;
-      one.verdict.refused = !storeVariant(workspace_, subject_.program, variant.candidate, variant.options, subject_.limits).ok();
-      if (!one.verdict.refused) one.verdict.conviction = FailureRow{copy.error().code, "it cannot be compared with the original: " + copy.error().message};
-      return one;
+      LawVerdict& verdict = verdicts_[index];
+      verdict.refused = !storeVariant(workspace_, subject_.program, variant.candidate, variant.options, subject_.limits).ok();
+      if (!verdict.refused) verdict.conviction = FailureRow{copy.error().code, "it cannot be compared with the original: " + copy.error().message};
+      return {};
     }
-    one.requests.push_back({copy->dir, variant.options.previous == PreviousImage::kOtherEye ? 2 : kFrozenPeriod, tolerance});
-    std::string hashes = copy->hash;
+    const std::uint32_t period = variant.options.previous == PreviousImage::kOtherEye ? 2 : kFrozenPeriod;
+    REPRISE_TRY(addCase({index, {copy->dir, period, tolerance}, copy->hash, {}}));
     for (const std::string& directory : variant.packages) {
       REPRISE_ASSIGN(const Package package, readPackage(directory));
-      if (!keepsAllBits(package.variant)) continue;
-      one.requests.push_back({directory, 1, tolerance});
-      hashes += " " + contentHash(recipeToJson(package.variant));
+      if (keepsAllBits(package.variant)) REPRISE_TRY(addCase({index, {directory, 1, tolerance}, contentHash(recipeToJson(package.variant)), {}}));
     }
-    const SeriesKey& base = measuring_.base;
-    one.key = "laws 1 and 3 " + contentHash(fmt::format("{} {} {} {} {} {} {} {} {} {}", hashes, base.shader_hash, base.scenario_hash, base.device, base.driver,
-                                                       base.width, base.height, base.seed, base.tool_version, tolerance));
-    REPRISE_ASSIGN(const std::optional<std::string> known, measuring_.store->text(one.key));
-    const std::optional<LawVerdict> verdict = known ? verdictFrom(*known) : std::nullopt;
-    if (verdict) {
-      one.verdict = *verdict;
-      one.open = false;
-    }
-    return one;
-  }
-
-  struct Place {
-    std::size_t variant, request;
-  };
-
-  // What the packages of open cases show, which ends those that differ. Those that may be rounding are left in doubtful_.
-  Result<void> compare(const Measuring& measuring, const std::vector<HeldVariant>& variants, std::vector<Case>& cases) {
-    std::vector<LawRequest> requests;
-    std::vector<Place> places;
-    for (std::size_t i = 0; i < cases.size(); ++i)
-      for (std::size_t request = 0; cases[i].open && request < cases[i].requests.size(); ++request) {
-        requests.push_back(cases[i].requests[request]);
-        places.push_back({i, request});
-      }
-    if (requests.empty()) return {};
-    REPRISE_ASSIGN(const std::vector<LawFinding> findings, compareWithOriginal(measuring, sessions_, requests, scratch()));
-    for (std::size_t i = 0; i < findings.size(); ++i) {
-      Case& one = cases[places[i].variant];
-      const LawFinding& finding = findings[i];
-      one.verdict.frozen_hits += finding.outcome.frozen_hits;
-      if (finding.failure) {
-        end(one, *finding.failure);
-      } else if (finding.outcome.difference) {
-        end(one, convictionOf(*finding.outcome.difference, finding.session, variants[places[i].variant].options.strategy));
-      } else if (finding.outcome.rounding && finding.outcome.rounding->visible) {
-        doubtful_.push_back(places[i]);
-      }
-    }
-    for (Case& one : cases) one.open = false;
     return {};
   }
 
-  static void end(Case& one, const FailureRow& conviction) {
-    if (!one.verdict.conviction) one.verdict.conviction = conviction;
+  // one.key: the package's hash so far.
+  Result<void> addCase(Case one) {
+    const SeriesKey& base = measuring_.base;
+    one.key = "laws 1 and 3 " + contentHash(fmt::format("{} {} {} {} {} {} {} {} {} {} {}", one.key, one.request.period_frames, one.request.tolerance, base.shader_hash,
+                                                       base.scenario_hash, base.device, base.driver, base.width, base.height, base.seed, base.tool_version));
+    REPRISE_ASSIGN(const std::optional<std::string> known, measuring_.store->text(one.key));
+    if (known) {
+      if (const std::optional<LawVerdict> verdict = verdictFrom(*known)) {
+        one.verdict = *verdict;
+        one.open = false;
+      }
+    }
+    cases_.push_back(std::move(one));
+    return {};
+  }
+
+  const std::string& strategyOf(const Case& one) const { return variants_[one.variant].options.strategy; }
+
+  // What packages show that nobody has looked at, which convicts those that differ.
+  Result<void> compare() {
+    std::vector<LawRequest> requests;
+    std::vector<Case*> asked;
+    for (Case& one : cases_) {
+      if (!one.open) continue;
+      requests.push_back(one.request);
+      asked.push_back(&one);
+    }
+    if (requests.empty()) return {};
+    REPRISE_ASSIGN(const std::vector<LawFinding> findings, compareWithOriginal(measuring_, sessions_, requests, scratch()));
+    for (std::size_t i = 0; i < findings.size(); ++i) {
+      const LawOutcome& outcome = findings[i].outcome;
+      asked[i]->verdict.frozen_hits = outcome.frozen_hits;
+      if (findings[i].failure) asked[i]->convict(*findings[i].failure);
+      if (outcome.difference) asked[i]->convict(convictionOf(*outcome.difference, findings[i].session, strategyOf(*asked[i])));
+      asked[i]->doubtful = !asked[i]->verdict.conviction && outcome.rounding && outcome.rounding->visible;
+    }
+    return {};
   }
 
   // Where the bits differ by what may be rounding: they must not where neither side is free to round as it likes.
-  Result<void> callWitness(const std::vector<HeldVariant>& variants, std::vector<Case>& cases) {
+  Result<void> callWitness() {
     std::vector<LawRequest> requests;
-    for (const Place& place : doubtful_) {
-      LawRequest strict = cases[place.variant].requests[place.request];
-      REPRISE_ASSIGN(strict.package_dir, storeStrict(workspace_, strict.package_dir));
-      requests.push_back(strict);
+    std::vector<Case*> asked;
+    for (Case& one : cases_) {
+      if (!one.doubtful) continue;
+      asked.push_back(&one);
+      requests.push_back(one.request);
+      REPRISE_ASSIGN(requests.back().package_dir, storeStrict(workspace_, one.request.package_dir));
     }
     if (requests.empty()) return {};
     Measuring strict = measuring_;
     REPRISE_ASSIGN(strict.original_dir, storeStrict(workspace_, measuring_.original_dir));
     REPRISE_ASSIGN(const std::vector<LawFinding> findings, compareWithOriginal(strict, sessions_, requests, scratch()));
     for (std::size_t i = 0; i < findings.size(); ++i) {
-      const LawFinding& finding = findings[i];
-      const LawOutcome& outcome = finding.outcome;
-      const std::optional<LawDifference>& differs = outcome.difference || !outcome.rounding || !outcome.rounding->visible ? outcome.difference : outcome.rounding;
-      Case& one = cases[doubtful_[i].variant];
-      if (finding.failure) {
-        end(one, *finding.failure);
-      } else if (differs) {
-        FailureRow conviction = convictionOf(*differs, finding.session, variants[doubtful_[i].variant].options.strategy);
-        conviction.message += " (with NoContraction on both sides, so it is no rounding)";
-        end(one, conviction);
-      }
+      const LawOutcome& outcome = findings[i].outcome;
+      if (findings[i].failure) asked[i]->convict(*findings[i].failure);
+      const bool rounds_still = outcome.rounding && outcome.rounding->visible;
+      if (!outcome.difference && !rounds_still) continue;
+      FailureRow why = convictionOf(outcome.difference ? *outcome.difference : *outcome.rounding, findings[i].session, strategyOf(*asked[i]));
+      why.message += " (with NoContraction on both sides, so it is no rounding)";
+      asked[i]->convict(why);
     }
     return {};
   }
@@ -228,15 +223,19 @@ class Court {
   const Subject& subject_;
   const Workspace& workspace_;
   const Measuring& measuring_;
+  const std::vector<HeldVariant>& variants_;
   std::vector<std::string> sessions_;
-  std::vector<Place> doubtful_;
+  std::vector<Case> cases_;
+  std::vector<LawVerdict> verdicts_;
 };
 
 }  // namespace
 
+bool isLawBroken(const FailureRow& conviction) { return conviction.code == kExactSetting || conviction.code == kFrozenWorld; }
+
 Result<std::vector<LawVerdict>> holdLaws(const Subject& subject, const Workspace& workspace, const Measuring& measuring,
                                          const std::vector<HeldVariant>& variants, Progress& progress) {
-  return Court(subject, workspace, measuring).hold(variants, progress);
+  return Court(subject, workspace, measuring, variants).hold(progress);
 }
 
 }  // namespace reprise

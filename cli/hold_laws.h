@@ -29,6 +29,9 @@ struct LawVerdict {
   bool refused = false;                  // there is no such variant, so nothing was compared
 };
 
+// Whether the package differs from the original, rather than could not be played.
+bool isLawBroken(const FailureRow& conviction);
+
 // One verdict by variant. Errors: those of compareWithOriginal and the store.
 Result<std::vector<LawVerdict>> holdLaws(const Subject& subject, const Workspace& workspace, const Measuring& measuring,
                                          const std::vector<HeldVariant>& variants, Progress& progress);

@@ -167,7 +167,7 @@ class Trainer {
     for (const auto& [which, why] : convictions) {
       ErrorStudy& study = training_.errors[which.first];
       study.failure = why.message;
-      if (why.code == kExactSetting || why.code == kFrozenWorld) training_.convicted[study.candidate] = why;
+      if (isLawBroken(why)) training_.convicted[study.candidate] = why;
     }
     ErrorPlan left;
     for (std::size_t i = 0; i < plan.requests.size(); ++i) {
