@@ -24,7 +24,7 @@ bool keepsAllBits(const Recipe& recipe) {
 }
 
 // With counters, so that hits can be told from misses; without where these need more colour targets than there are.
-Result<StoredVariant> storeLawCopy(const Subject& subject, const Workspace& workspace, const HeldVariant& variant) {
+Result<StoredVariant> storeLawCopy(const Subject& subject, const Workspace& workspace, const VariantToHold& variant) {
   VariantOptions options = variant.options;
   options.encoding = Encoding::kRgba32f;
   options.filter = Filter::kNearest;
@@ -111,7 +111,7 @@ struct Case {
 
 class Court {
  public:
-  Court(const Subject& subject, const Workspace& workspace, const Measuring& measuring, const std::vector<HeldVariant>& variants)
+  Court(const Subject& subject, const Workspace& workspace, const Measuring& measuring, const std::vector<VariantToHold>& variants)
       : subject_(subject), workspace_(workspace), measuring_(measuring), variants_(variants), sessions_(sessionsOf(subject.scenario)) {}
 
   Result<std::vector<LawVerdict>> hold(Progress& progress) {
@@ -134,7 +134,7 @@ class Court {
 
  private:
   Result<void> prepare(std::size_t index) {
-    const HeldVariant& variant = variants_[index];
+    const VariantToHold& variant = variants_[index];
     const double tolerance = isRegrouped(variant.candidate) ? kRegroupedTolerance : 0;
     const Result<StoredVariant> copy = storeLawCopy(subject_, workspace_, variant);
     if (!copy.ok()) {
@@ -223,7 +223,7 @@ class Court {
   const Subject& subject_;
   const Workspace& workspace_;
   const Measuring& measuring_;
-  const std::vector<HeldVariant>& variants_;
+  const std::vector<VariantToHold>& variants_;
   std::vector<std::string> sessions_;
   std::vector<Case> cases_;
   std::vector<LawVerdict> verdicts_;
@@ -234,7 +234,7 @@ class Court {
 bool isLawBroken(const FailureRow& conviction) { return conviction.code == kExactSetting || conviction.code == kFrozenWorld; }
 
 Result<std::vector<LawVerdict>> holdLaws(const Subject& subject, const Workspace& workspace, const Measuring& measuring,
-                                         const std::vector<HeldVariant>& variants, Progress& progress) {
+                                         const std::vector<VariantToHold>& variants, Progress& progress) {
   return Court(subject, workspace, measuring, variants).hold(progress);
 }
 

@@ -17,7 +17,7 @@
 
 namespace reprise {
 
-struct HeldVariant {
+struct VariantToHold {
   Candidate candidate;
   VariantOptions options;             // of which the strategy is held, whatever the filter and the encoding
   std::vector<std::string> packages;  // further packages of it on disk, such as the one that ships: at their exact setting, as they are
@@ -34,6 +34,6 @@ bool isLawBroken(const FailureRow& conviction);
 
 // One verdict by variant. Errors: those of compareWithOriginal and the store.
 Result<std::vector<LawVerdict>> holdLaws(const Subject& subject, const Workspace& workspace, const Measuring& measuring,
-                                         const std::vector<HeldVariant>& variants, Progress& progress);
+                                         const std::vector<VariantToHold>& variants, Progress& progress);
 
 }  // namespace reprise

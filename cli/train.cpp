@@ -139,7 +139,7 @@ class Trainer {
   // Why each of them must not be measured; nothing of the others.
   Result<std::map<StudyAndStrategy, FailureRow>> convict(const std::vector<StudyAndStrategy>& wanted) {
     const std::vector<StudyAndStrategy> fresh = unheld(wanted);
-    std::vector<HeldVariant> variants;
+    std::vector<VariantToHold> variants;
     for (const auto& [study, strategy] : fresh) {
       variants.push_back({subject_.candidates[training_.errors[study].candidate], training_.errors[study].options, {}});
       variants.back().options.strategy = strategy;

@@ -61,7 +61,7 @@ Result<bool> equalsOriginal(const Subject& subject, const Workspace& workspace, 
   VariantOptions options = plan.options;
   options.instrumented = false;
   REPRISE_ASSIGN(const StoredVariant measured, storeVariant(workspace, subject.program, candidate, options, subject.limits));
-  HeldVariant held{candidate, options, plan.packages};
+  VariantToHold held{candidate, options, plan.packages};
   held.packages.push_back(measured.dir);
   REPRISE_ASSIGN(const std::vector<LawVerdict> verdicts, holdLaws(subject, workspace, measuring, {held}, progress));
   if (!verdicts[0].conviction) return true;

@@ -25,10 +25,10 @@ class HoldLaws : public testing::Test {
     bench_->measuring.store = &bench_->store;
   }
 
-  HeldVariant variant(const std::string& strategy) const {
+  VariantToHold variant(const std::string& strategy) const {
     const auto kept = std::find_if(subject_.candidates.begin(), subject_.candidates.end(), [](const Candidate& one) { return one.kept() && !isRegrouped(one); });
     REPRISE_CHECK(kept != subject_.candidates.end(), subject_.scenario.path);
-    HeldVariant held{*kept, baseOptions(subject_, ranges(), *kept), {}};
+    VariantToHold held{*kept, baseOptions(subject_, ranges(), *kept), {}};
     held.options.strategy = strategy;
     return held;
   }
@@ -43,16 +43,16 @@ class HoldLaws : public testing::Test {
   }
 
   // The variant's package on disk, as it is measured, and a faulty copy.
-  StoredVariant stored(const HeldVariant& held) const {
+  StoredVariant stored(const VariantToHold& held) const {
     return storeVariant(workspace_, subject_.program, held.candidate, held.options, subject_.limits).value();
   }
-  std::string spoiled(const HeldVariant& held, const std::string& module) const {
+  std::string spoiled(const VariantToHold& held, const std::string& module) const {
     const std::string wrong = (scenario_.file("wrong_" + module)).string();
     spoilPackage(stored(held).dir, wrong, module, 0.8f, 0.4f);
     return wrong;
   }
 
-  Result<std::vector<LawVerdict>> hold(const std::vector<HeldVariant>& variants) { return holdLaws(subject_, workspace_, bench_->measuring, variants, progress_); }
+  Result<std::vector<LawVerdict>> hold(const std::vector<VariantToHold>& variants) { return holdLaws(subject_, workspace_, bench_->measuring, variants, progress_); }
 
   SmallScenario scenario_;
   Subject subject_;
@@ -62,7 +62,7 @@ class HoldLaws : public testing::Test {
 };
 
 TEST_F(HoldLaws, PassesWhatIsRightAndPlaysItOnce) {
-  std::vector<HeldVariant> variants = {variant("branch"), variant("two_pass")};
+  std::vector<VariantToHold> variants = {variant("branch"), variant("two_pass")};
   variants[1].packages = {stored(variants[1]).dir};
   const auto first = hold(variants);
   ASSERT_TRUE(first.ok()) << formatError(first.error());
@@ -79,7 +79,7 @@ TEST_F(HoldLaws, PassesWhatIsRightAndPlaysItOnce) {
 }
 
 TEST_F(HoldLaws, TellsWhereAPackageDiffers) {
-  HeldVariant held = variant("two_pass");
+  VariantToHold held = variant("two_pass");
   held.packages = {spoiled(held, "fragment_misses")};
   const auto verdicts = hold({held, variant("branch")});
   ASSERT_TRUE(verdicts.ok()) << formatError(verdicts.error());
@@ -105,7 +105,7 @@ TEST_F(HoldLaws, BlamesTheOriginalForItsOwnEnd) {
 }
 
 TEST_F(HoldLaws, NothingIsValidatedOfAPackageThatDiffers) {
-  const HeldVariant held = variant("two_pass");
+  const VariantToHold held = variant("two_pass");
   subject_.candidates = {held.candidate};
   ValidationPlan plan;
   plan.options = held.options;
