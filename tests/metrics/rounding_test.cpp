@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(Values, FloatRounding,
                                          Case{"other_sign", 0.5f, -0.5f, Difference::kBeyondRounding}, Case{"opposite_infinities", kInfinity, -kInfinity, Difference::kBeyondRounding},
                                          Case{"no_number_any_more", 1.0f, kNaN, Difference::kBeyondRounding}, Case{"a_number_after_all", kNaN, 1.0f, Difference::kBeyondRounding},
                                          Case{"infinite", 3e38f, kInfinity, Difference::kBeyondRounding}),
-                         [](const testing::TestParamInfo<Case>& info) { return info.param.name; });
+                         [](const testing::TestParamInfo<Case>& one) { return one.param.name; });
 
 TEST(Rounding, TellsThePixelThatIsOffMostForItsSize) {
   const RoundingVerdict verdict = compareImages({floats({1, 1000, 0, 1}), floats({1.5f, 1001, 0, 1}), TexelKind::kFloat});
