@@ -164,6 +164,9 @@ void describeStatus(const Training& training, std::size_t index, const Candidate
   } else if (const auto failed = training.failed.find(index); failed != training.failed.end()) {
     described.status = CandidateStatus::kFailed;
     described.reason = {"train.failed", failed->second};
+  } else if (const auto convicted = training.convicted.find(index); convicted != training.convicted.end()) {
+    described.status = CandidateStatus::kFailed;
+    described.reason = {convicted->second.code, convicted->second.message};
   } else if (has_rows) {
     described.status = CandidateStatus::kTrained;
   } else {

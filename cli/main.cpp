@@ -200,6 +200,9 @@ int runEmit(Words& words) {
   words.emit.on_stale = words.on_stale == "original" ? OnStale::kOriginal : OnStale::kFail;
   if (words.write_dependencies && words.emit.depfile.empty())
     words.emit.depfile = (words.emit.output.empty() ? words.emit.header : words.emit.output) + ".d";
+  words.emit.device = words.device;
+  words.emit.worker_path = executablePath();
+  words.emit.interrupted = [] { return interrupt_seen.load(); };
   const Result<void> result = emitChoice(words.emit, std::cout, std::cerr);
   return result.ok() ? 0 : report(result.error(), words.errorsAsJson());
 }
@@ -276,6 +279,7 @@ void addEmit(CLI::App& app, Words& words) {
   command->add_option("--name", words.emit.header_name, "of the package in the header")->capture_default_str();
   command->add_option("--on-stale", words.on_stale, "fail or original: what to do where the payload has changed")
       ->check(CLI::IsMember({"fail", "original"}))->capture_default_str();
+  command->add_flag("--verify", words.emit.verify, "compare the package with the original first, on a device; write nothing where they differ");
   command->add_flag("--M", words.emit.list_dependencies, "print what the package depends on as a make rule, and make nothing");
   command->add_flag("--MD", words.write_dependencies, "write that rule beside the output");
   command->add_option("--MF", words.emit.depfile, "file for --MD");

@@ -14,6 +14,7 @@
 #include "cli/explain_original.h"
 #include "cli/fit.h"
 #include "cli/model_scenario.h"
+#include "cli/open_bench.h"
 #include "cli/package_of_choice.h"
 #include "cli/report_directory.h"
 #include "cli/smear_warnings.h"
@@ -24,10 +25,8 @@
 #include "cli/workspace.h"
 #include "compiler/emit/emit.h"
 #include "fitting/selection/next_turn.h"
-#include "profiler/measurements/store.h"
 #include "profiler/metrics/metrics.h"
 #include "runtime/base/file.h"
-#include "runtime/vulkan/context.h"
 
 namespace reprise {
 namespace {
@@ -57,13 +56,6 @@ Result<void> checkArguments(const OptimizeArguments& arguments) {
   std::string known;
   for (const Metric& metric : metrics()) known += (known.empty() ? "" : ", ") + metric.name;
   return Error{ErrorKind::kUsage, "metric.unknown", "there is no metric '" + arguments.metric + "'; there are " + known, {}};
-}
-
-Result<DeviceSummary> chosenDevice(const std::string& wanted) {
-  ContextOptions options;
-  options.device = wanted;
-  REPRISE_ASSIGN(const Context context, Context::create(options));
-  return context.summary();
 }
 
 std::string utcNow() {
@@ -110,35 +102,7 @@ Result<DeviceLock> lockDevice(const DeviceSummary& device, const OptimizeArgumen
                            arguments.interrupted});
 }
 
-struct Bench {
-  Store store;
-  Measuring measuring;
-};
-
-Result<Bench> openBench(const Subject& subject, const Workspace& workspace, const OptimizeArguments& arguments, const DeviceSummary& device) {
-  REPRISE_ASSIGN(Store store, Store::open(workspace.storeFile()));
-  VariantOptions original = baseOptions(subject, {});
-  original.strategy = "original";
-  REPRISE_ASSIGN(const StoredVariant stored,
-                 storeVariant(workspace, subject.program, subject.candidates.empty() ? Candidate{} : subject.candidates[0], original, subject.limits));
-  Bench bench{std::move(store), {}};
-  Measuring& measuring = bench.measuring;
-  measuring.base.shader_hash = subject.program.hash;
-  measuring.base.scenario_hash = subject.scenario.hash;
-  measuring.base.device = device.name;
-  measuring.base.driver = device.driver;
-  measuring.base.width = subject.scenario.width;
-  measuring.base.height = subject.scenario.height;
-  measuring.base.seed = subject.scenario.seed;
-  measuring.base.tool_version = kToolVersion;
-  measuring.scenario_path = workspace.scenarioFile().string();
-  measuring.original_dir = stored.dir;
-  measuring.device = arguments.device;
-  measuring.metrics = {arguments.metric};
-  measuring.supervisor.worker_path = arguments.worker_path;
-  measuring.supervisor.interrupted = arguments.interrupted;
-  return bench;
-}
+BenchOptions benchOptions(const OptimizeArguments& arguments) { return {arguments.device, arguments.worker_path, arguments.metric, arguments.interrupted}; }
 
 struct Validated {
   std::vector<ValidationAttempt> attempts;
@@ -267,7 +231,7 @@ Result<RunResult> optimize(const OptimizeArguments& arguments, Progress& progres
   clock.end("compile");
 
   REPRISE_ASSIGN(const DeviceLock lock, lockDevice(device, arguments, progress));
-  REPRISE_ASSIGN(Bench bench, openBench(subject, workspace, arguments, device));
+  REPRISE_ASSIGN(Bench bench, openBench(subject, workspace, benchOptions(arguments), device));
   bench.measuring.store = &bench.store;
   TrainOptions options;
   options.metric = arguments.metric;
@@ -327,7 +291,7 @@ Result<RunResult> validateAgain(const std::string& directory, const OptimizeArgu
   REPRISE_ASSIGN(const DeviceSummary device, chosenDevice(arguments.device));
   REPRISE_ASSIGN(const Workspace workspace, Workspace::open(directory));
   REPRISE_ASSIGN(const DeviceLock lock, lockDevice(device, arguments, progress));
-  REPRISE_ASSIGN(Bench bench, openBench(subject, workspace, arguments, device));
+  REPRISE_ASSIGN(Bench bench, openBench(subject, workspace, benchOptions(arguments), device));
   bench.measuring.store = &bench.store;
   bench.measuring.metrics = {result.threshold.metric};
   ValidationPlan plan;
@@ -344,6 +308,7 @@ Result<RunResult> validateAgain(const std::string& directory, const OptimizeArgu
   plan.options.filter = recipe.filter;
   plan.options.encoding = recipe.encoding;
   plan.options.period_frames = recipe.period_frames;
+  plan.packages = {(root / "package").string()};
   plan.metric = result.threshold.metric;
   plan.max_error = result.threshold.value;
   plan.cpu_clock = device.is_cpu;
@@ -370,7 +335,7 @@ Result<CommittedCheck> validateCommitted(const CommittedArguments& committed, co
   REPRISE_ASSIGN(const Workspace workspace, Workspace::open(arguments.output));
   REPRISE_TRY(copyInputs(subject, workspace.scenarioFile()));
   REPRISE_ASSIGN(const DeviceLock lock, lockDevice(device, arguments, progress));
-  REPRISE_ASSIGN(Bench bench, openBench(subject, workspace, arguments, device));
+  REPRISE_ASSIGN(Bench bench, openBench(subject, workspace, benchOptions(arguments), device));
   bench.measuring.store = &bench.store;
   bench.measuring.metrics = {choice.metric};
   ValidationPlan plan;

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <set>
 
 #include "cli/fit.h"
+#include "cli/hold_laws.h"
 #include "cli/probe_candidates.h"
 #include "cli/probe_objects.h"
 #include "cli/session_pace.h"
@@ -88,7 +90,7 @@ class Trainer {
   // timed are left out of all sessions where the others' errors in the first one took a good part of the budget.
   Result<void> study(std::size_t first, const std::vector<std::uint32_t>& periods, const std::function<std::vector<StudyAndStrategy>()>& chosen) {
     const std::size_t studies = training_.errors.size(), leading = first > 0 ? studies : std::min(studies, options_.timed_candidates);
-    REPRISE_ASSIGN(const ErrorPlan errors, planErrors(first, leading, periods));
+    REPRISE_ASSIGN(ErrorPlan errors, planErrors(first, leading, periods));
     REPRISE_ASSIGN(ErrorPlan others, planErrors(leading, studies, periods));
     std::optional<TimePlan> times;
     for (const std::string& session : sessions_) {
@@ -126,8 +128,65 @@ class Trainer {
     return plan;
   }
 
-  Result<void> measureErrorsOf(const std::string& session, const ErrorPlan& plan) {
+  // Of those, the ones whose candidate has not been held to the laws in this strategy; that then counts as done.
+  std::vector<StudyAndStrategy> unheld(const std::vector<StudyAndStrategy>& wanted) {
+    std::vector<StudyAndStrategy> found;
+    for (const auto& [study, strategy] : wanted)
+      if (held_.insert({training_.errors[study].candidate, strategy}).second) found.emplace_back(study, strategy);
+    return found;
+  }
+
+  // Why each of them must not be measured; nothing of the others.
+  Result<std::map<StudyAndStrategy, FailureRow>> convict(const std::vector<StudyAndStrategy>& wanted) {
+    const std::vector<StudyAndStrategy> fresh = unheld(wanted);
+    std::vector<VariantToHold> variants;
+    for (const auto& [study, strategy] : fresh) {
+      variants.push_back({subject_.candidates[training_.errors[study].candidate], training_.errors[study].options, {}});
+      variants.back().options.strategy = strategy;
+    }
+    REPRISE_ASSIGN(const std::vector<LawVerdict> verdicts, holdLaws(subject_, workspace_, measuring_, variants, progress_));
+    std::map<StudyAndStrategy, FailureRow> convictions;
+    for (std::size_t i = 0; i < fresh.size(); ++i) {
+      const std::string& id = variants[i].candidate.id;
+      if (verdicts[i].conviction) {
+        convictions[fresh[i]] = *verdicts[i].conviction;
+        training_.warnings.push_back(fmt::format("{} in {} was left out: {}", id, fresh[i].second, verdicts[i].conviction->message));
+      } else if (!verdicts[i].refused && verdicts[i].frozen_hits == 0) {
+        training_.warnings.push_back(fmt::format("{} in {}: no hit was seen with the scene frozen, so none was compared with the original", id, fresh[i].second));
+      }
+    }
+    return convictions;
+  }
+
+  // Takes out what differs from the original, or cannot be compared with it. An error where nothing is left of the whole run.
+  Result<void> holdToLaws(ErrorPlan& plan) {
+    std::set<StudyAndStrategy> wanted;
+    for (const auto& [study, period] : plan.places) wanted.emplace(study, training_.errors[study].options.strategy);
+    REPRISE_ASSIGN(const auto convictions, convict({wanted.begin(), wanted.end()}));
+    if (convictions.empty()) return {};
+    for (const auto& [which, why] : convictions) {
+      ErrorStudy& study = training_.errors[which.first];
+      study.failure = why.message;
+      if (isLawBroken(why)) training_.convicted[study.candidate] = why;
+    }
+    ErrorPlan left;
+    for (std::size_t i = 0; i < plan.requests.size(); ++i) {
+      const std::size_t study = plan.places[i].first;
+      if (convictions.count({study, training_.errors[study].options.strategy}) > 0) continue;
+      left.requests.push_back(plan.requests[i]);
+      left.places.push_back(plan.places[i]);
+    }
+    plan = std::move(left);
+    const bool none_left = std::all_of(training_.errors.begin(), training_.errors.end(), [](const ErrorStudy& study) { return !study.failure.empty(); });
+    if (training_.convicted.empty() || !none_left) return {};
+    const auto& [candidate, why] = *training_.convicted.begin();
+    return Error{ErrorKind::kInput, why.code, fmt::format("no candidate is left, as none equals the original; {}: {}", subject_.candidates[candidate].id, why.message), {}};
+  }
+
+  Result<void> measureErrorsOf(const std::string& session, ErrorPlan& plan) {
     if (plan.requests.empty() || outOfBudget(fmt::format("errors of {} variants in session '{}'", plan.requests.size(), session))) return {};
+    REPRISE_TRY(holdToLaws(plan));
+    if (plan.requests.empty()) return {};
     progress_.begin(fmt::format("errors: {} x {}", session, plan.requests.size()));
     REPRISE_ASSIGN(std::vector<ErrorSeries> series, measureErrors(measuring_, session, plan.requests, 0));
     for (std::size_t i = 0; i < series.size(); ++i) {
@@ -218,6 +277,7 @@ class Trainer {
     REPRISE_TRY(addEntry(reference, 0, {TimedEntry::Kind::kOriginal, 0, 1}, plan, nullptr));
     reference.strategy = "original_prepass";
     REPRISE_TRY(addEntry(reference, 0, {TimedEntry::Kind::kPrepass, 0, 1}, plan, nullptr));
+    REPRISE_ASSIGN(const auto convictions, convict(wanted));
     for (const auto& [study, strategy] : wanted) {
       const ErrorStudy& errors = training_.errors[study];
       VariantOptions options = errors.options;
@@ -229,6 +289,10 @@ class Trainer {
       options.strategy = strategy;
       training_.costs.push_back({study, strategy, {}, {}, ""});
       std::string& refusal = training_.costs.back().failure;
+      if (const auto convicted = convictions.find({study, strategy}); convicted != convictions.end()) {
+        refusal = convicted->second.message;
+        continue;
+      }
       for (const std::uint32_t period : timedPeriods(errors))
         REPRISE_TRY(addEntry(options, errors.candidate, {TimedEntry::Kind::kVariant, training_.costs.size() - 1, period}, plan, &refusal));
       if (!refusal.empty()) training_.strategies_refused.emplace(strategy, refusal);
@@ -349,6 +413,7 @@ class Trainer {
   Progress& progress_;
   std::vector<std::string> sessions_;
   std::map<std::string, std::vector<TimedFrame>> first_reference_;  // by session
+  std::set<std::pair<std::size_t, std::string>> held_;  // candidate and strategy: held to the laws
   Training training_;
 };
 

@@ -9,6 +9,7 @@
 #include "compiler/strategies/build_recipe.h"
 #include "fitting/selection/select.h"
 #include "profiler/measurements/row.h"
+#include "profiler/measurements/store.h"
 #include "profiler/scenario/scenario.h"
 
 namespace reprise {
@@ -45,6 +46,7 @@ struct Training {
   std::map<std::size_t, ValueRanges> ranges;        // by candidate
   std::vector<std::string> warnings, not_reached;
   std::map<std::size_t, std::string> failed;        // candidate -> why
+  std::map<std::size_t, FailureRow> convicted;      // candidate -> where its package differs from the original (cli/hold_laws.h)
   std::map<std::string, std::string> strategies_refused;  // by this shader or state: strategy -> why
 };
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "cli/hold_laws.h"
+
 namespace reprise {
 namespace {
 
@@ -50,6 +52,24 @@ Result<Entries> timedEntries(const Subject& subject, const Workspace& workspace,
   REPRISE_ASSIGN(entries.limit, add("tail_only", 1));
   REPRISE_ASSIGN(entries.variant, add(plan.options.strategy, plan.options.period_frames));
   return entries;
+}
+
+// Whether the variant shows what the original shows where it must; else it is judged by that.
+Result<bool> equalsOriginal(const Subject& subject, const Workspace& workspace, const Measuring& measuring, const ValidationPlan& plan,
+                            Progress& progress, ValidationRun& run) {
+  const Candidate& candidate = subject.candidates[plan.candidate];
+  VariantOptions options = plan.options;
+  options.instrumented = false;
+  REPRISE_ASSIGN(const StoredVariant measured, storeVariant(workspace, subject.program, candidate, options, subject.limits));
+  VariantToHold held{candidate, options, plan.packages};
+  held.packages.push_back(measured.dir);
+  REPRISE_ASSIGN(const std::vector<LawVerdict> verdicts, holdLaws(subject, workspace, measuring, {held}, progress));
+  if (!verdicts[0].conviction) return true;
+  run.judgement = {false, verdicts[0].conviction->code, verdicts[0].conviction->message};
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  run.measured_error = run.worst_session_error = run.worst_frame_error = kUnknown;
+  run.original_ms = run.original_wall_ms = run.prepass_ms = run.limit_ms = kUnknown;
+  return false;
 }
 
 // Errors and counts of the very variant, from its counting copy.
@@ -133,6 +153,8 @@ Result<ValidationRun> validateChoice(const Subject& subject, const Workspace& wo
   ValidationRun run;
   for (const SessionSpec& session : subject.scenario.sessions)
     if (session.role == SessionRole::kValidation) run.sessions.push_back({session.name, {}, {}, {}});
+  REPRISE_ASSIGN(const bool equal, equalsOriginal(subject, workspace, measuring, plan, progress, run));
+  if (!equal) return run;
   progress.begin(fmt::format("validate {} n={}", plan.options.strategy, plan.options.period_frames));
   REPRISE_ASSIGN(const bool played, measureValidationErrors(subject, workspace, measuring, plan, run));
   if (!played) return run;

@@ -17,6 +17,7 @@ namespace reprise {
 struct ValidationPlan {
   std::size_t candidate = 0;
   VariantOptions options;      // with the period to validate
+  std::vector<std::string> packages = {};  // of this variant on disk, such as the one that ships: held to the original, too
   std::string metric = "rms";
   double max_error = 0.02;
   int rounds = 30;             // per session
@@ -43,6 +44,7 @@ struct ValidationRun {
   Judgement judgement;
 };
 
+// First the variant's packages are held to the original (hold_laws.h); nothing is measured of one that differs, and it is judged by that.
 // Errors: kInterrupted, kMachine; a variant that fails to run is judged "judge.unmeasured".
 Result<ValidationRun> validateChoice(const Subject& subject, const Workspace& workspace, const Measuring& measuring,
                                      const ValidationPlan& plan, Progress& progress);

@@ -1,8 +1,12 @@
 #include "cli/commands/emit.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <filesystem>
 
+#include "cli/hold_laws.h"
+#include "cli/open_bench.h"
 #include "cli/package_header.h"
 #include "cli/package_of_choice.h"
 #include "cli/version.h"
@@ -36,6 +40,40 @@ Result<Package> packageFor(const Subject& subject, const Choice& choice, const E
   return shippedPackage(subject, nullptr);
 }
 
+// A workspace for as long as the package is verified.
+class ScratchFolder {
+ public:
+  ScratchFolder() : path_(fs::temp_directory_path() / ("reprise-emit-" + std::to_string(::getpid()))) {}
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+// Plays the package, as it is about to be written, beside the original.
+Result<void> verify(Subject subject, const Choice& choice, const Package& package, const EmitArguments& arguments) {
+  REPRISE_ASSIGN(const ChosenVariant variant, variantOf(subject, choice));
+  subject.candidates = {variant.candidate};
+  REPRISE_ASSIGN(const DeviceSummary device, chosenDevice(arguments.device));
+  const ScratchFolder folder;
+  REPRISE_ASSIGN(const Workspace workspace, Workspace::open(folder.path()));
+  REPRISE_TRY(copyInputs(subject, workspace.scenarioFile()));
+  REPRISE_TRY(writePackageFiles(package, workspace.packageDir()));
+  REPRISE_ASSIGN(Bench bench, openBench(subject, workspace, {arguments.device, arguments.worker_path, choice.metric, arguments.interrupted}, device));
+  bench.measuring.store = &bench.store;
+  Progress progress(ProgressStyle::kQuiet);
+  REPRISE_ASSIGN(const std::vector<LawVerdict> verdicts,
+                 holdLaws(subject, workspace, bench.measuring, {{variant.candidate, variant.options, {workspace.packageDir().string()}}}, progress));
+  if (!verdicts[0].conviction) return {};
+  return Error{ErrorKind::kInput, verdicts[0].conviction->code, "nothing was written: " + verdicts[0].conviction->message, {}};
+}
+
 std::string targetOf(const EmitArguments& arguments) {
   if (!arguments.depfile_target.empty()) return arguments.depfile_target;
   return arguments.output.empty() ? arguments.header : (fs::path(arguments.output) / "manifest.json").string();
@@ -58,6 +96,8 @@ Result<void> emitChoice(const EmitArguments& arguments, std::ostream& out, std::
     notes << "note: " << arguments.choice << " was made by reprise " << choice.tool_version << ", this is " << kToolVersion
           << "; 'reprise validate --choice' tells whether it still holds\n";
   REPRISE_ASSIGN(const Package package, packageFor(subject, choice, arguments, notes));
+  const bool ships_variant = !choice.is_original && package.variant.strategy != package.original.strategy;
+  if (arguments.verify && ships_variant) REPRISE_TRY(verify(subject, choice, package, arguments));
   if (!arguments.output.empty()) REPRISE_TRY(writePackageIfChanged(package, arguments.output));
   if (!arguments.header.empty()) {
     REPRISE_ASSIGN(const std::string text, packageHeader(package, arguments.header_name));

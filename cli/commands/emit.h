@@ -1,6 +1,7 @@
-// `reprise emit`: the package of a choice from the sources, without a device and without training.
+// `reprise emit`: the package of a choice from the sources, without training, and without a device unless it is to be verified.
 #pragma once
 
+#include <functional>
 #include <ostream>
 #include <string>
 
@@ -19,10 +20,14 @@ struct EmitArguments {
   bool list_dependencies = false;       // -M: print the rule and write nothing else
   std::string depfile;                  // -MF; empty: none
   std::string depfile_target;           // -MT; empty: the manifest, else the header
+  bool verify = false;                  // hold the package to the original first, on a device (cli/hold_laws.h)
+  std::string device, worker_path;      // for `verify`: as in BenchOptions
+  std::function<bool()> interrupted;
 };
 
 // Notes (a choice of another version of the tool, the original in place of a stale payload) go to `notes`, the rule of -M to `out`.
-// Errors: those of readScenario, readChoice, findPayload and buildPackage; file.unwritable (kMachine); emit.output (kUsage).
+// Errors: those of readScenario, readChoice, findPayload and buildPackage; file.unwritable (kMachine); emit.output (kUsage); with `verify`
+// law.exact_setting and law.frozen_world (kInput; nothing is written), and those of holdLaws.
 Result<void> emitChoice(const EmitArguments& arguments, std::ostream& out, std::ostream& notes);
 
 }  // namespace reprise

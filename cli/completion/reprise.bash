@@ -14,7 +14,7 @@ _reprise() {
   case "$command" in
     "") COMPREPLY=($(compgen -W "$commands $common" -- "$word")); return ;;
     optimize) options="--max-error --metric --budget --output -o" ;;
-    emit) options="--choice --output -o --header --name --on-stale -M -MD -MF -MT" ;;
+    emit) options="--choice --output -o --header --name --on-stale --verify -M -MD -MF -MT" ;;
     validate) options="--choice --cost-tolerance --output -o" ;;
     analyze) options="--json --all --annotate -I -D --std --entry-point -MD -MF" ;;
     check) options="--json --jobs -j --seed --candidates --strategy --timeout -I -D --entry-point" ;;

@@ -5,8 +5,10 @@
 // deterministic in all but times (laws 8, 9).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,9 @@ namespace reprise {
 struct JobEntry {
   std::string package_dir;          // a package whose `variant` is played
   std::uint32_t period_frames = 1;
+  // kLaws: how far colours of hits may be off, relative to the larger of 1 and the value, without a witness; 0: not at all. For payloads
+  // that are kept with less than all their bits, such as regrouped sums.
+  double tolerance = 0;
   bool operator==(const JobEntry&) const = default;
 };
 
@@ -28,7 +33,9 @@ enum class JobKind {
   kTimes,   // per round: every entry in turn, the same frame; uninstrumented packages; rows of times
   kProbe,   // entries are rgba32f packages: ranges of payload and depth, non-finite values
   kObjects, // entries flag their draws: how many objects have misses
-  kImages   // one frame of each entry as PNG files
+  kImages,  // one frame of each entry as PNG files
+  kReference,  // no entries: the colours of the original in lawFrames (law_frames.h) go to reference_dir
+  kLaws     // entries at their exact setting, and frozen at one moment, against what kReference left in reference_dir
 };
 
 struct Job {
@@ -46,6 +53,7 @@ struct Job {
   int image_frame = 0;                      // kImages
   std::string image_dir;
   std::vector<int> strip_frames;            // kImages: further frames of the original and the first entry, ascending
+  std::string reference_dir;                // kReference, kLaws
   double fence_timeout_s = 20;
   std::string run_id;
   bool operator==(const Job&) const = default;
@@ -67,6 +75,30 @@ struct ObjectCounts {
   bool operator==(const ObjectCounts&) const = default;
 };
 
+inline constexpr const char* kExactSetting = "law.exact_setting";
+inline constexpr const char* kFrozenWorld = "law.frozen_world";
+
+// Where an entry differs from the original: the pixel of an image that is off most.
+struct LawDifference {
+  std::string law;                               // kExactSetting or kFrozenWorld
+  int frame = 0;                                 // of the session
+  int output = 0;
+  std::uint32_t x = 0, y = 0;
+  std::array<std::uint32_t, 4> expected = {}, found = {};  // bits of floats
+  int kind = -1;                                 // 0 not drawn, 1 a hit, 2 a miss; -1 where the entry does not count
+  std::uint64_t pixels = 0;                      // that differ in this image
+  bool visible = true;                           // in the scenario's own format, where that has 8 bits
+  bool operator==(const LawDifference&) const = default;
+};
+
+// What kLaws found of an entry. It is looked at no further once it differs by more than rounding (profiler/metrics/rounding.h).
+struct LawOutcome {
+  std::optional<LawDifference> difference;       // beyond rounding
+  std::optional<LawDifference> rounding;         // the first that may be rounding, before all a visible one; wants a witness if visible
+  std::uint64_t frozen_hits = 0;                 // pixels that hit while the scene was frozen; 0 where the entry does not count
+  bool operator==(const LawOutcome&) const = default;
+};
+
 struct JobResult {
   std::string device, driver;
   bool cpu_device = false;                       // decides the binding clock: process CPU time, else timestamps
@@ -74,6 +106,7 @@ struct JobResult {
   std::vector<std::vector<TimeRow>> times;       // by entry; times[e][r] of round r
   std::vector<ProbeResult> probes;               // by entry
   std::vector<ObjectCounts> objects;             // by entry
+  std::vector<LawOutcome> laws;                  // by entry
   // kImages: paths written: original.png, then per entry cached, error (kImageErrorGain times the difference), hit_miss and payload.
   // An entry that does not count, or has no cache, lacks the last ones. strip_N_original and strip_N_cached as frame N is reached.
   std::vector<std::string> images;

@@ -8,11 +8,13 @@ namespace reprise {
 using nlohmann::json;
 
 NLOHMANN_JSON_SERIALIZE_ENUM(JobKind, {{JobKind::kErrors, "errors"}, {JobKind::kTimes, "times"}, {JobKind::kProbe, "probe"},
-                                       {JobKind::kObjects, "objects"}, {JobKind::kImages, "images"}})
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(JobEntry, package_dir, period_frames)
+                                       {JobKind::kObjects, "objects"}, {JobKind::kImages, "images"}, {JobKind::kReference, "reference"},
+                                       {JobKind::kLaws, "laws"}})
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(JobEntry, package_dir, period_frames, tolerance)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Job, kind, scenario_path, session, original_dir, entries, metrics, frames, rounds, warmup_frames, width,
-                                   height, device, image_frame, image_dir, strip_frames, fence_timeout_s, run_id)
+                                   height, device, image_frame, image_dir, strip_frames, reference_dir, fence_timeout_s, run_id)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ObjectCounts, drawn, flagged)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LawDifference, law, frame, output, x, y, expected, found, kind, pixels, visible)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimeRow, run_id, pair, frame, gpu_ms, wall_ms, cpu_ms)
 
 namespace {
@@ -59,18 +61,29 @@ ProbeResult probeFrom(const json& from) {
   return probe;
 }
 
+json lawJson(const LawOutcome& outcome) {
+  const auto orNull = [](const std::optional<LawDifference>& one) { return one ? json(*one) : json(nullptr); };
+  return {{"difference", orNull(outcome.difference)}, {"rounding", orNull(outcome.rounding)}, {"frozen_hits", outcome.frozen_hits}};
+}
+
+LawOutcome lawFrom(const json& from) {
+  const auto orNone = [](const json& one) { return one.is_null() ? std::nullopt : std::optional(one.get<LawDifference>()); };
+  return {orNone(from.at("difference")), orNone(from.at("rounding")), from.at("frozen_hits").get<std::uint64_t>()};
+}
+
 }  // namespace
 
 json resultJson(const JobResult& result) {
-  json errors = json::array(), probes = json::array();
+  json errors = json::array(), probes = json::array(), laws = json::array();
   for (const auto& rows : result.errors) {
     json list = json::array();
     for (const ErrorRow& row : rows) list.push_back(errorRowJson(row));
     errors.push_back(std::move(list));
   }
   for (const ProbeResult& probe : result.probes) probes.push_back(probeJson(probe));
+  for (const LawOutcome& outcome : result.laws) laws.push_back(lawJson(outcome));
   return {{"device", result.device}, {"driver", result.driver}, {"cpu_device", result.cpu_device}, {"errors", std::move(errors)},
-          {"times", result.times}, {"probes", std::move(probes)}, {"objects", result.objects}, {"images", result.images}};
+          {"times", result.times}, {"probes", std::move(probes)}, {"objects", result.objects}, {"laws", std::move(laws)}, {"images", result.images}};
 }
 
 JobResult resultFrom(const json& from) {
@@ -86,6 +99,7 @@ JobResult resultFrom(const json& from) {
   result.times = from.at("times").get<std::vector<std::vector<TimeRow>>>();
   for (const json& probe : from.at("probes")) result.probes.push_back(probeFrom(probe));
   result.objects = from.at("objects").get<std::vector<ObjectCounts>>();
+  for (const json& outcome : from.at("laws")) result.laws.push_back(lawFrom(outcome));
   result.images = from.at("images").get<std::vector<std::string>>();
   return result;
 }

@@ -9,6 +9,8 @@ Result<JobResult> runJob(const Job& job, const std::function<void(const JobProgr
     case JobKind::kProbe: return runProbe(job, progress);
     case JobKind::kObjects: return runObjects(job, progress);
     case JobKind::kImages: return runImages(job, progress);
+    case JobKind::kReference: return runReference(job, progress);
+    case JobKind::kLaws: return runLaws(job, progress);
   }
   return Error{ErrorKind::kInput, "job.kind", "an unknown kind of job", {}};
 }

@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "profiler/scenario/names.h"
 #include "profiler/scenario/read_scenario.h"
 
 namespace reprise {
@@ -20,6 +21,14 @@ Result<std::vector<Package>> readPasses(const Scenario& scenario) {
   return packages;
 }
 
+void chooseFormats(JobKind kind, Stage& stage) {
+  const std::size_t outputs = stage.original.interface.outputs.size();
+  std::vector<std::string>& formats = stage.scenario.state.color_formats;
+  stage.given_formats = formats;
+  stage.given_formats.resize(outputs, kColorFormats[0]);
+  if (kind == JobKind::kProbe || kind == JobKind::kReference || kind == JobKind::kLaws) formats.assign(outputs, "rgba32_sfloat");
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Stage>> setStage(const Job& job) {
@@ -36,8 +45,7 @@ Result<std::unique_ptr<Stage>> setStage(const Job& job) {
   std::vector<ShaderInterface> pass_interfaces;
   for (const Package& pass : stage->passes) pass_interfaces.push_back(pass.interface);
   REPRISE_TRY(checkBindings(stage->scenario, stage->original.interface, pass_interfaces));
-  if (job.kind == JobKind::kProbe)
-    stage->scenario.state.color_formats.assign(stage->original.interface.outputs.size(), "rgba32_sfloat");
+  chooseFormats(job.kind, *stage);
   for (const JobEntry& entry : job.entries) {
     REPRISE_ASSIGN(Package package, readPackage(entry.package_dir));
     if (package.interface != stage->original.interface)

@@ -18,7 +18,8 @@ using JobListener = std::function<void(const JobProgress&)>;
 
 // Members in order of construction: later ones refer to earlier ones, so a Stage stays where it is made.
 struct Stage {
-  Scenario scenario;
+  Scenario scenario;                // with the color formats that are rendered to
+  std::vector<std::string> given_formats;  // the scenario's own: one per output
   const SessionSpec* session = nullptr;
   Package original;
   std::vector<Package> passes;      // by pass of the scenario; of G-buffer passes
@@ -29,7 +30,7 @@ struct Stage {
   RenderTargets targets;
 };
 
-// Probes render to RGBA32F targets, so that no value is hidden by a format. Errors: those of readScenario, readPackage,
+// Probes and comparisons with the original render to RGBA32F targets, so that no value is hidden by a format. Errors: those of readScenario, readPackage,
 // checkBindings, Context and SceneRenderer; session.unknown, job.interface (kInput; a package made from other shaders).
 Result<std::unique_ptr<Stage>> setStage(const Job& job);
 
@@ -59,5 +60,7 @@ Result<JobResult> runTimes(const Job& job, const JobListener& progress);
 Result<JobResult> runProbe(const Job& job, const JobListener& progress);
 Result<JobResult> runObjects(const Job& job, const JobListener& progress);
 Result<JobResult> runImages(const Job& job, const JobListener& progress);
+Result<JobResult> runReference(const Job& job, const JobListener& progress);
+Result<JobResult> runLaws(const Job& job, const JobListener& progress);
 
 }  // namespace reprise

@@ -68,6 +68,15 @@ TEST_F(Emit, GivesTheSameBytesWhereverTheSourcesLie) {
   for (const auto& [name, bytes] : first) EXPECT_TRUE(second.contains(name) && second.at(name) == bytes) << name << " differs";
 }
 
+TEST_F(Emit, VerifiesOnADevice) {
+  expectRefused(emit({"--verify"}), 3, "device.none");
+  EXPECT_FALSE(fs::exists(output()));
+  ASSERT_EQ(emit().status, 0);
+  const CommandOutcome outcome = runCommand({REPRISE_EXECUTABLE, "emit", shaders() / "granite.toml", "--choice", choice(), "-o", folder_ / "verified", "--verify"});
+  ASSERT_EQ(outcome.status, 0) << outcome.all();
+  EXPECT_TRUE(filesOf(folder_ / "verified") == filesOf(output()));
+}
+
 TEST_F(Emit, WritesNothingWhereNothingDiffers) {
   ASSERT_EQ(emit({"--header", folder_ / "granite.h"}).status, 0);
   std::map<fs::path, fs::file_time_type> times;

@@ -16,7 +16,7 @@ Job unlikeTheDefault() {
   job.scenario_path = "a \"quoted\" päth/scene.toml";
   job.session = "orbit";
   job.original_dir = "original";
-  job.entries = {{"first", 1}, {"second", 0}};
+  job.entries = {{"first", 1}, {"second", 0, 0.25}};
   job.metrics = {"flip", "ssim"};
   job.frames = 7;
   job.rounds = 31;
@@ -26,6 +26,7 @@ Job unlikeTheDefault() {
   job.device = "llvmpipe";
   job.image_frame = 9;
   job.image_dir = "images";
+  job.reference_dir = "reference";
   job.fence_timeout_s = 0.1;
   job.run_id = "run";
   return job;
@@ -40,7 +41,8 @@ TEST(JobJson, ReadsBackEveryField) {
 }
 
 TEST(JobJson, ReadsBackEveryKind) {
-  for (const JobKind kind : {JobKind::kErrors, JobKind::kTimes, JobKind::kProbe, JobKind::kObjects, JobKind::kImages}) {
+  for (const JobKind kind : {JobKind::kErrors, JobKind::kTimes, JobKind::kProbe, JobKind::kObjects, JobKind::kImages, JobKind::kReference,
+                             JobKind::kLaws}) {
     Job job;
     job.kind = kind;
     EXPECT_EQ(jobFromJson(jobToJson(job)).value().kind, kind);
