@@ -87,11 +87,13 @@ Result<bool> checkShaders(const CheckArguments& arguments, std::ostream& out, st
   if (arguments.json) {
     out << "{\"modules\": [\n";
     for (std::size_t i = 0; i < verdicts.size(); ++i) out << "  " << verdictToJson(verdicts[i]) << (i + 1 < verdicts.size() ? ",\n" : "\n");
-    out << "]}\n";
+    out << "], \"motion\": \"not judged\"}\n";
   } else if (files.size() > 1 && !arguments.quiet) {
     out << fmt::format("{} modules: {} verified, {} refused, {} untestable, {} failed, {} crashed, {} hung\n", files.size(), count(Verdict::kVerified),
                        count(Verdict::kRefused), count(Verdict::kUntestable), count(Verdict::kFailed), count(Verdict::kCrashed), count(Verdict::kHung));
   }
+  if (!arguments.json && !arguments.quiet)
+    out << "motion was not judged: the vertex shaders and what moves are made up here; 'optimize' judges those of a scenario\n";
   return count(Verdict::kFailed) + count(Verdict::kCrashed) + count(Verdict::kHung) == 0;
 }
 
