@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "cli/motion.h"
 #include "cli/train.h"
 #include "cli/version.h"
 #include "compiler/strategies/build_package.h"
@@ -100,6 +101,7 @@ Choice describeChoice(const Subject& subject, const ChosenVariant* variant, cons
 }
 
 Result<ChosenVariant> variantOf(const Subject& subject, const Choice& choice) {
+  REPRISE_TRY(expectMotion(subject));
   const ShaderProgram& program = subject.program;
   ChosenVariant variant;
   REPRISE_ASSIGN(variant.candidate, findPayload(*program.fragment, program.analysis, program.sources, choice.payload));

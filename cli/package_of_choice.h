@@ -19,7 +19,8 @@ struct ChosenVariant {
 // The choice of a run as a file: `variant` is null where the original was chosen. `result` tells what was measured.
 Choice describeChoice(const Subject& subject, const ChosenVariant* variant, const RunResult& result);
 
-// The chosen payload in the subject's shader as it is now. Errors: choice.stale, choice.unsafe (find_payload.h).
+// The chosen payload in the subject's shader as it is now. Errors: choice.stale, choice.unsafe (find_payload.h), motion.none
+// (motion.h).
 Result<ChosenVariant> variantOf(const Subject& subject, const Choice& choice);
 
 // `variant` null: of the original alone. Places are relative to the scenario's folder, so that no machine's paths are in it. Errors: of

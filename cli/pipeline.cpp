@@ -14,6 +14,7 @@
 #include "cli/explain_original.h"
 #include "cli/fit.h"
 #include "cli/model_scenario.h"
+#include "cli/motion.h"
 #include "cli/open_bench.h"
 #include "cli/package_of_choice.h"
 #include "cli/report_directory.h"
@@ -267,6 +268,8 @@ Result<RunResult> optimize(const OptimizeArguments& arguments, Progress& progres
   if (!validated.attempts.empty()) result.validation = describeSessions(validated.shown().run, arguments.metric);
   describeOriginal(training, selection, validated, result);
   addWarnings(subject, selection, fitted, result);
+  if (std::optional<std::string> suspect = suspectMotion(subject, training, result.choice.candidate_id))
+    result.warnings.insert(result.warnings.begin(), std::move(*suspect));
   REPRISE_ASSIGN(const RunEvidence evidence, gatherEvidence({subject, workspace, bench.measuring, training, fitted}, selection, validated, result));
   const std::optional<ChosenVariant> chosen = chosenVariant(subject, training, fitted, validated);
   REPRISE_ASSIGN(const Package package, shippedPackage(subject, chosen ? &*chosen : nullptr));

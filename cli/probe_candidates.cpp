@@ -17,6 +17,7 @@ void merge(ProbeResult& all, const ProbeResult& probe) {
   for (std::size_t channel = 0; channel < kMostPayloadChannels; ++channel) {
     all.payload_min[channel] = std::min(all.payload_min[channel], probe.payload_min[channel]);
     all.payload_max[channel] = std::max(all.payload_max[channel], probe.payload_max[channel]);
+    all.payload_change[channel] = std::max(all.payload_change[channel], probe.payload_change[channel]);
   }
   all.depth_min = std::min(all.depth_min, probe.depth_min);
   all.depth_max = std::max(all.depth_max, probe.depth_max);
@@ -43,6 +44,7 @@ void conclude(const Subject& subject, const std::map<std::size_t, ProbeResult>& 
   bool told_of_color = false;
   for (const auto& [candidate, probe] : seen) {
     probed.ranges[candidate] = widened(probe, unprobedRanges(subject));
+    probed.changes[candidate] = probe.payload_change;
     if (probe.nonfinite_payload > 0)
       probed.warnings.push_back(fmt::format("{}: {} pixels had a payload that is not finite or was not computed; such pixels always miss",
                                             subject.candidates[candidate].id, probe.nonfinite_payload));

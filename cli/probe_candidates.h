@@ -18,6 +18,7 @@ namespace reprise {
 
 struct ProbedRanges {
   std::map<std::size_t, ValueRanges> ranges;   // by index into Subject::candidates
+  std::map<std::size_t, ChannelFloats> changes;  // of the same: the most that a channel changed at a pixel between probed frames
   std::map<std::size_t, std::string> failed;   // the others that enumeration had kept, each with the reason
   std::vector<std::string> warnings;           // of payloads and colours that are not finite
 };

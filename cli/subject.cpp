@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cli/motion.h"
 #include "cli/standard_shaders.h"
 #include "compiler/source/compile.h"
 #include "compiler/strategies/build_package.h"
@@ -74,6 +75,7 @@ Result<void> copyModel(const std::filesystem::path& directory, ModelSpec& model)
 
 Result<Subject> readSubject(const std::filesystem::path& scenario_file) {
   REPRISE_ASSIGN(Subject subject, readSubjectUnranked(scenario_file));
+  REPRISE_TRY(expectMotion(subject));
   subject.candidates = enumerateCandidates(*subject.program.fragment, subject.program.analysis, subject.program.sources, {});
   return subject;
 }

@@ -22,11 +22,12 @@ struct Subject {
   std::vector<std::string> included;  // by the shaders, each file once
 };
 
-// Errors: those of readScenario, compile, readProgram and checkBindings; scenario.mixed_projection (kInput), where sessions differ
+// Errors: those of readScenario, compile, readProgram, checkBindings and expectMotion (motion.h); scenario.mixed_projection (kInput), where sessions differ
 // in perspective and orthographic cameras, which one recipe cannot serve.
 Result<Subject> readSubject(const std::filesystem::path& scenario_file);
 
-// The same without candidates, which take most of the time and which a choice that was made does not need.
+// The same without candidates, which take most of the time and which a choice that was made does not need, and without expectMotion, for
+// the original may be shipped all the same.
 Result<Subject> readSubjectUnranked(const std::filesystem::path& scenario_file);
 
 // Copies of the inputs that `play` and `validate` need, with compiled shaders in place of sources.

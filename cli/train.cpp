@@ -36,6 +36,7 @@ class Trainer {
   Result<Training> run() {
     REPRISE_ASSIGN(ProbedRanges probed, probeCandidates(subject_, workspace_, measuring_, progress_));
     training_.ranges = std::move(probed.ranges);
+    training_.changes = std::move(probed.changes);
     training_.failed = std::move(probed.failed);
     training_.warnings = std::move(probed.warnings);
     for (const auto& [candidate, ranges] : training_.ranges) addStudy(candidate, baseOptions(subject_, ranges, subject_.candidates[candidate]));

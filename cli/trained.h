@@ -44,6 +44,7 @@ struct Training {
   std::vector<TimedFrame> original, prepass;        // over the first runs of all timed sessions
   std::map<std::size_t, std::vector<TimedFrame>> limits;  // tail-only, by candidate
   std::map<std::size_t, ValueRanges> ranges;        // by candidate
+  std::map<std::size_t, ChannelFloats> changes;     // by candidate: the most that a channel changed at a pixel from one probed frame to the next
   std::vector<std::string> warnings, not_reached;
   std::map<std::size_t, std::string> failed;        // candidate -> why
   std::map<std::size_t, FailureRow> convicted;      // candidate -> where its package differs from the original (cli/hold_laws.h)

@@ -87,13 +87,15 @@ Result<bool> checkShaders(const CheckArguments& arguments, std::ostream& out, st
   if (arguments.json) {
     out << "{\"modules\": [\n";
     for (std::size_t i = 0; i < verdicts.size(); ++i) out << "  " << verdictToJson(verdicts[i]) << (i + 1 < verdicts.size() ? ",\n" : "\n");
-    out << "]}\n";
+    out << "], \"motion\": \"not judged\"}\n";
   } else if (files.size() > 1 && !arguments.quiet) {
     std::string summary = fmt::format("{} modules:", files.size());
     for (const Verdict verdict : kVerdicts)
       summary += fmt::format("{} {} {}", verdict == kVerdicts[0] ? "" : ",", counts[static_cast<std::size_t>(verdict)], nameOf(verdict));
     out << summary << '\n';
   }
+  if (!arguments.json && !arguments.quiet)
+    out << "motion was not judged: the vertex shaders and what moves are made up here; 'optimize' judges those of a scenario\n";
   return std::none_of(verdicts.begin(), verdicts.end(), [](const ModuleVerdict& verdict) { return isOurFault(verdict.verdict); });
 }
 

@@ -23,6 +23,10 @@ inline constexpr int kResultFormatVersion = 1;
 // Periods: frames between two refreshes; kNeverRefresh (0, runtime/package/recipe.h) means never and is null
 // in the file.
 
+// The code that one warning begins with: that nothing moves by the vertex shader while the payload changes. It comes first in `warnings`, and
+// before everything else in summaries and pages.
+inline constexpr const char* kMotionSuspect = "motion.suspect";
+
 struct RunDevice {
   std::string name;    // as Vulkan reports it: "llvmpipe (LLVM 15.0.6, 256 bits)"
   std::string driver;  // name and version

@@ -171,8 +171,15 @@ std::string cell(const std::string& text) {
 
 }  // namespace
 
+std::optional<std::string> leadingWarning(const RunResult& result) {
+  if (result.warnings.empty() || !result.warnings.front().starts_with(std::string(kMotionSuspect) + ":")) return std::nullopt;
+  return result.warnings.front();
+}
+
 std::string summaryText(const RunResult& result) {
   std::string out;
+  const std::optional<std::string> leading = leadingWarning(result);
+  if (leading) wrap(out, "", *leading), out += "\n";
   wrap(out, "", choiceSentence(result));
   if (result.choice.kind == ChoiceKind::kVariant && !result.choice.reason.empty())
     wrap(out, "", result.choice.reason);
@@ -183,7 +190,7 @@ std::string summaryText(const RunResult& result) {
   candidateTable(out, result);
   list<RunAttempt>(out, "Taken to validation, in this order", result.attempts, attemptText);
   const auto asIs = [](const std::string& text) { return text; };
-  list<std::string>(out, "Warnings", result.warnings, asIs);
+  list<std::string>(out, "Warnings", {result.warnings.begin() + (leading ? 1 : 0), result.warnings.end()}, asIs);
   list<std::string>(out, "Not reached within the budget", result.not_reached, asIs);
   list<std::string>(out, "Strategies that this shader or its state refuses", result.strategies_refused, asIs);
   return out;
@@ -191,7 +198,8 @@ std::string summaryText(const RunResult& result) {
 
 std::string summaryMarkdown(const RunResult& result) {
   const RunChoice& choice = result.choice;
-  std::string out = cell(choiceSentence(result)) +
+  const std::optional<std::string> leading = leadingWarning(result);
+  std::string out = (leading ? "**" + cell(*leading) + "**\n\n" : "") + cell(choiceSentence(result)) +
                     "\n\n| | original | choice | predicted | limit |\n|---|--:|--:|--:|--:|\n";
   const auto row = [&](const std::string& label, const std::vector<std::string>& cells) {
     out += "| " + label + " |";

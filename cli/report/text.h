@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "cli/report/result.h"
@@ -13,6 +14,9 @@ namespace reprise {
 
 // One or two sentences: what was chosen, how fast, how wrong; for the original, why. No line feed.
 std::string choiceSentence(const RunResult& result);
+
+// The warning that stands before all else: that of kMotionSuspect. None in most runs.
+std::optional<std::string> leadingWarning(const RunResult& result);
 
 // The choice, the machine, times, the candidates that were trained, attempts and warnings. Lines of at most
 // 80 columns (code points), a line feed after each. A word that is longer than a line is broken.

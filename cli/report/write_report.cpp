@@ -95,6 +95,7 @@ std::string escapedText(const std::string& text) {
 std::string dataBlock(const RunResult& result, const ReportImages& images, const std::optional<ReportEvidence>& evidence) {
   Json block;
   block["headline"] = choiceSentence(result);
+  if (const std::optional<std::string> leading = leadingWarning(result)) block["leading"] = printable(*leading);
   block["result"] = Json::parse(resultToJson(result));
   block["evidence"] = evidence ? Json::parse(evidenceToJson(evidence->evidence)) : Json(nullptr);
   // The evidence has the same pictures.

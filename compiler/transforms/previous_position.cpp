@@ -4,10 +4,10 @@
 #include <unordered_set>
 
 #include "compiler/ir/globals.h"
-#include "compiler/ir/optimize.h"
-#include "compiler/transforms/clone_function.h"
 #include "compiler/transforms/link_frame.h"
+#include "compiler/transforms/position_slice.h"
 #include "compiler/transforms/redirect_variable.h"
+#include "compiler/transforms/type_size.h"
 
 namespace reprise {
 namespace {
@@ -19,72 +19,11 @@ constexpr std::uint32_t kDrawBinding = 1;
 constexpr std::uint32_t kPushConstantOffset = 16;
 constexpr std::uint32_t kFirstPreviousBinding = 16;
 
-Error refused(const std::string& code, const std::string& message) { return {ErrorKind::kRefused, code, message, {}}; }
-
 std::uint32_t pointeeOf(const Module& module, const Instruction& variable) {
   return findGlobal(module, variable.type_id)->word(1);
 }
 
-struct PositionOutput {
-  std::uint32_t variable = 0;
-  std::optional<std::uint32_t> member;  // of a gl_PerVertex block
-};
-
-std::optional<PositionOutput> findPosition(const Module& module) {
-  const auto position = static_cast<std::uint32_t>(spv::BuiltIn::Position);
-  for (const Instruction& global : module.globals) {
-    if (global.opcode != Op::OpVariable || static_cast<StorageClass>(global.word(0)) != StorageClass::Output) continue;
-    if (decorationOf(module, global.result_id, spv::Decoration::BuiltIn) == position) return PositionOutput{global.result_id, {}};
-    const std::uint32_t type_id = pointeeOf(module, global);
-    const Instruction* type = findGlobal(module, type_id);
-    if (type->opcode != Op::OpTypeStruct) continue;
-    for (std::uint32_t member = 0; member < type->operands.size(); ++member)
-      if (memberDecorationOf(module, type_id, member, spv::Decoration::BuiltIn) == position)
-        return PositionOutput{global.result_id, member};
-  }
-  return std::nullopt;
-}
-
-std::unordered_set<std::uint32_t> idsUsedBy(const Function& function) {
-  std::unordered_set<std::uint32_t> used;
-  for (const Block& block : function.blocks)
-    for (const Instruction& instruction : block.instructions)
-      for (const Operand& operand : instruction.operands)
-        if (operand.is_id) used.insert(operand.words[0]);
-  return used;
-}
-
-// The size of a block: the end of its last member, rounded up to 16 bytes as std140 does.
-std::uint32_t sizeOf(const Module& module, std::uint32_t type_id);
-
-std::uint32_t memberSize(const Module& module, std::uint32_t struct_id, std::uint32_t member, std::uint32_t type_id) {
-  const Instruction* type = findGlobal(module, type_id);
-  if (type->opcode == Op::OpTypeMatrix)
-    return type->word(1) * memberDecorationOf(module, struct_id, member, spv::Decoration::MatrixStride).value_or(16);
-  return sizeOf(module, type_id);
-}
-
-std::uint32_t sizeOf(const Module& module, std::uint32_t type_id) {
-  const Instruction* type = findGlobal(module, type_id);
-  switch (type->opcode) {
-    case Op::OpTypeInt:
-    case Op::OpTypeFloat: return type->word(0) / 8;
-    case Op::OpTypeVector: return type->word(1) * sizeOf(module, type->word(0));
-    case Op::OpTypeMatrix: return type->word(1) * 16;
-    case Op::OpTypeArray: {
-      const Instruction* length = findGlobal(module, type->word(1));
-      return length->word(0) * decorationOf(module, type_id, spv::Decoration::ArrayStride).value_or(16);
-    }
-    case Op::OpTypeStruct: {
-      std::uint32_t end = 0;
-      for (std::uint32_t member = 0; member < type->operands.size(); ++member)
-        end = std::max(end, memberDecorationOf(module, type_id, member, spv::Decoration::Offset).value_or(0) +
-                                memberSize(module, type_id, member, type->word(member)));
-      return (end + 15) / 16 * 16;
-    }
-    default: return 0;
-  }
-}
+Error refused(const std::string& code, const std::string& message) { return {ErrorKind::kRefused, code, message, {}}; }
 
 // A struct { uint valid_last_frame; Push previous; } in a uniform block: the push constants' own struct type is copied,
 // since a type that is decorated Block must not be nested.
@@ -186,9 +125,8 @@ std::uint32_t firstFreeLocation(const Module& module, StorageClass storage) {
 }
 
 // On the variable, also where the position is a member of gl_PerVertex: some drivers do not take the decoration on members.
-void makePositionInvariant(Module& module, const PositionOutput& position) {
-  if (!decorationOf(module, position.variable, spv::Decoration::Invariant))
-    addDecoration(module, position.variable, spv::Decoration::Invariant);
+void makePositionInvariant(Module& module, std::uint32_t output) {
+  if (!decorationOf(module, output, spv::Decoration::Invariant)) addDecoration(module, output, spv::Decoration::Invariant);
 }
 
 }  // namespace
@@ -198,25 +136,14 @@ std::uint32_t firstFreeVarying(const Module& vertex, const Module& fragment) {
 }
 
 Result<PreviousPosition> addPreviousPosition(const Module& vertex, const PreviousPositionOptions& options) {
-  REPRISE_CHECK(options.frame != nullptr && vertex.entry_points.size() == 1, vertex.entry_points.size());
-  const auto position = findPosition(vertex);
-  if (!position) return refused("vertex.no_position", "the vertex shader writes no gl_Position");
-  const std::uint32_t current = vertex.entry_points.front().word(1);
-  ClonedFunction cloned = cloneFunction(vertex, current);
-  Module module = addEntryPoint(cloned.module, cloned.function, "reprise_prior", current);
-  const std::uint32_t vec4 = vectorType(module, floatType(module), 4);
-  // An output while dead code is removed, so that its stores count; linking makes it the frame's private variable.
-  const std::uint32_t slot = addVariable(module, StorageClass::Output, vec4, "reprise_position_slot");
-  for (Instruction& entry : module.entry_points) entry.operands.push_back(idOperand(slot));
-  REPRISE_ASSIGN(module, redirectVariable(module, {cloned.function, position->variable, slot, {}, position->member}));
-  REPRISE_ASSIGN(module, hideOutputs(module, cloned.function, HiddenOutputs::kColors));
-  REPRISE_ASSIGN(module, removeDeadCode(module));
+  REPRISE_CHECK(options.frame != nullptr, vertex.entry_points.size());
+  REPRISE_ASSIGN(const PositionSlice slice, slicePosition(vertex));
   PreviousPosition result;
-  REPRISE_ASSIGN(module, usePreviousInputs(module, cloned.function, options.reprise_set, result.inputs));
-  makePositionInvariant(module, *position);
+  REPRISE_ASSIGN(Module module, usePreviousInputs(slice.module, slice.function, options.reprise_set, result.inputs));
+  makePositionInvariant(module, slice.output);
   result.module = linkFrame(module, *options.frame,
-                            {{{"reprise_current", current}, {"reprise_prior", cloned.function}},
-                             {{"reprise_previous_position", slot}}});
+                            {{{"reprise_current", vertex.entry_points.front().word(1)}, {"reprise_prior", slice.function}},
+                             {{"reprise_previous_position", slice.slot}}});
   return result;
 }
 

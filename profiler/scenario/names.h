@@ -80,6 +80,8 @@ inline constexpr NameWithValue<ToneMap> kToneMaps[] = {
 
 inline constexpr const char* kColorFormats[] = {"rgba8_unorm", "rgba16_sfloat", "rgba32_sfloat"};
 
+inline constexpr NameWithValue<MotionSource> kMotionSources[] = {{"vertex", MotionSource::kVertex}, {"none", MotionSource::kNone}};
+
 // Limits that keep a slip of the finger from eating the machine's memory or the day.
 inline constexpr int kMaxResolution = 8192;
 inline constexpr int kMaxFrames = 100000;

@@ -125,6 +125,7 @@ void readSessions(TableReader& root, Scenario& scenario) {
 void readRoot(const TomlNode& document, const fs::path& directory, Scenario& scenario, Diagnostics& diagnostics) {
   TableReader root(document, "the scenario", diagnostics);
   root.readText("name", scenario.name);
+  root.readChoice("motion", scenario.motion, kMotionSources);
   if (const TomlNode* shader = root.find("shader"))
     readShader(*shader, directory, scenario, diagnostics);
   if (const TomlNode* render = root.find("render")) readRender(*render, scenario, diagnostics);

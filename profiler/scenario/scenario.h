@@ -249,9 +249,14 @@ struct SessionSpec {
 
 enum class ToneMap { kNone, kReinhard, kAces };
 
+// Where a pixel's surface was in the last frame: where the vertex shader put it then; or, by the user's word, where the pixel is, as what
+// the shader draws stands still in the image.
+enum class MotionSource { kVertex, kNone };
+
 struct Scenario {
   std::string path;                 // of the TOML file, absolute
   std::string name;
+  MotionSource motion = MotionSource::kVertex;
   std::string fragment_path, vertex_path;  // absolute; empty: the standard shaders
   std::string fragment_entry_point = "main", vertex_entry_point = "main";  // of SPIR-V and HLSL
   std::vector<std::pair<std::string, std::string>> vertex_inputs;  // a name in the shader, what meshes call it

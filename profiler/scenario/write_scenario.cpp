@@ -300,8 +300,10 @@ std::string uniformText(const UniformBinding& binding) {
 }  // namespace
 
 std::string writeScenario(const Scenario& scenario, const fs::path& directory) {
-  std::string text =
-      "name = " + quoted(scenario.name) + "\n" + shaderText(scenario, directory) + renderText(scenario);
+  std::string text = "name = " + quoted(scenario.name) + "\n";
+  // Where it is said: the hashes of all other scenarios stay as they were.
+  if (scenario.motion != MotionSource::kVertex) text += "motion = " + quoted(spellingOf(kMotionSources, scenario.motion)) + "\n";
+  text += shaderText(scenario, directory) + renderText(scenario);
   for (const ModelSpec& model : scenario.models) text += modelText(model, directory);
   for (const Object& object : scenario.objects) {
     if (object.part) continue;

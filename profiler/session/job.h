@@ -62,6 +62,8 @@ struct Job {
 struct ProbeResult {
   int entry = 0;
   ChannelFloats payload_min = {}, payload_max = {};
+  // The most that a channel changed at a pixel from one probed frame to the next, of up to 16384 pixels that are evenly spread.
+  ChannelFloats payload_change = {};
   float depth_min = 0, depth_max = 0;       // view-linear, over all covered pixels
   // Covered pixels that hold no valid payload, as it is not finite there.
   std::uint64_t nonfinite_payload = 0;

@@ -43,8 +43,8 @@ ErrorRow errorRowFrom(const json& from) {
 }
 
 json probeJson(const ProbeResult& probe) {
-  return {{"entry", probe.entry}, {"payload_min", probe.payload_min}, {"payload_max", probe.payload_max}, {"depth_min", probe.depth_min},
-          {"depth_max", probe.depth_max}, {"nonfinite_payload", probe.nonfinite_payload}, {"nonfinite_color", probe.nonfinite_color},
+  return {{"entry", probe.entry}, {"payload_min", probe.payload_min}, {"payload_max", probe.payload_max}, {"payload_change", probe.payload_change},
+          {"depth_min", probe.depth_min}, {"depth_max", probe.depth_max}, {"nonfinite_payload", probe.nonfinite_payload}, {"nonfinite_color", probe.nonfinite_color},
           {"covered", probe.covered}};
 }
 
@@ -53,6 +53,7 @@ ProbeResult probeFrom(const json& from) {
   probe.entry = from.at("entry");
   probe.payload_min = from.at("payload_min").get<ChannelFloats>();
   probe.payload_max = from.at("payload_max").get<ChannelFloats>();
+  probe.payload_change = from.at("payload_change").get<ChannelFloats>();
   probe.depth_min = from.at("depth_min");
   probe.depth_max = from.at("depth_max");
   probe.nonfinite_payload = from.at("nonfinite_payload");

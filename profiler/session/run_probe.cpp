@@ -1,4 +1,4 @@
-// Ranges of payload and depth, from the 32-bit histories that branch variants write.
+// Ranges of payload and depth, and by how much payloads change, from the 32-bit histories that branch variants write.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -48,6 +48,40 @@ void widen(const Recipe& recipe, const ProbedFrame& frame, const std::vector<std
     widenByPixel(recipe.payload, frame, pixel, probe);
   }
 }
+
+constexpr std::size_t kWatchedPixels = 16384;
+
+// What evenly spread pixels of the last probed frame held, to see by how much the next frame differs.
+class PayloadWatch {
+ public:
+  void see(const Recipe& recipe, const ProbedFrame& frame, const std::vector<std::uint8_t>& covered, ProbeResult& probe) {
+    const std::size_t stride = std::max<std::size_t>(1, (covered.size() + kWatchedPixels - 1) / kWatchedPixels);
+    std::vector<ChannelFloats> seen;
+    for (std::size_t pixel = 0; pixel < covered.size(); pixel += stride) seen.push_back(payloadAt(recipe.payload, frame, pixel, covered[pixel] != 0));
+    for (std::size_t at = 0; at < last_.size(); ++at)
+      for (std::size_t channel = 0; channel < kMostPayloadChannels; ++channel) {
+        const float change = std::abs(seen[at][channel] - last_[at][channel]);
+        if (change > probe.payload_change[channel]) probe.payload_change[channel] = change;
+      }
+    last_ = std::move(seen);
+  }
+
+ private:
+  // NaN, which differs from nothing by more than anything, where a channel holds no valid value.
+  static ChannelFloats payloadAt(const std::vector<PayloadValue>& payload, const ProbedFrame& frame, std::size_t pixel, bool covered) {
+    ChannelFloats values;
+    values.fill(std::numeric_limits<float>::quiet_NaN());
+    if (!covered || !(frame.storedDepth(pixel) > 0)) return values;
+    for (const PayloadValue& value : payload) {
+      if (value.guard_channel != kNoGuard && frame.channel(pixel, value.guard_channel) == 0) continue;
+      for (int channel = value.first_channel; channel < value.first_channel + value.channels; ++channel)
+        values[static_cast<std::size_t>(channel)] = frame.channel(pixel, channel);
+    }
+    return values;
+  }
+
+  std::vector<ChannelFloats> last_;
+};
 
 Result<std::vector<float>> readResource(Stage& stage, Readback& readback, const Player& player, const std::string& name) {
   const auto image = player.resource(name);
@@ -107,6 +141,7 @@ Result<JobResult> runProbe(const Job& job, const JobListener& progress) {
   Readback readback(*stage->context);
   JobResult result = emptyResult(*stage);
   for (std::size_t entry = 0; entry < players.size(); ++entry) result.probes.push_back(emptyProbe(entry));
+  std::vector<PayloadWatch> watches(players.size());
   const int session_frames = stage->session->frames > 0 ? stage->session->frames : stage->scenario.frames;
   const int frames = std::min(frameCount(job, *stage), session_frames);
   for (int step = 0; step < frames; ++step) {
@@ -124,7 +159,10 @@ Result<JobResult> runProbe(const Job& job, const JobListener& progress) {
       REPRISE_TRY(render(players[entry]));
       REPRISE_ASSIGN(const ProbedFrame frame_read, readFrame(*stage, readback, players[entry]));
       // Entries that keep nothing, such as the original, are probed for their colours alone.
-      if (!frame_read.targets.empty()) widen(players[entry].recipe(), frame_read, covered, result.probes[entry]);
+      if (!frame_read.targets.empty()) {
+        widen(players[entry].recipe(), frame_read, covered, result.probes[entry]);
+        watches[entry].see(players[entry].recipe(), frame_read, covered, result.probes[entry]);
+      }
       result.probes[entry].nonfinite_color += nonfinite;
     }
     if (progress) progress({step + 1, frames});

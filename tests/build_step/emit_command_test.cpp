@@ -113,6 +113,20 @@ TEST_F(Emit, ShipsTheOriginalOfAStaleChoiceWhereAllowed) {
     EXPECT_TRUE(name == "manifest.json" || name.starts_with("fragment.") || name.starts_with("original_vertex.")) << name;
 }
 
+// The motion that the choice was trained with is gone.
+TEST_F(Emit, ShipsNoVariantOfAPositionThatReadsNothing) {
+  replace(shaders() / "common.vert", "gl_Position = frame.view_projection * world", "gl_Position = vec4(position.xy, 0.5, 1.0)");
+  expectRefused(emit(), 1, "motion.none");
+  EXPECT_FALSE(fs::exists(output()));
+  const CommandOutcome original = emit({"--on-stale", "original"});
+  EXPECT_EQ(original.status, 0) << original.all();
+  EXPECT_NE(original.errors.find("the original is shipped"), std::string::npos) << original.errors;
+  writeText(shaders() / "granite.toml", "motion = \"none\"\n" + textOf(shaders() / "granite.toml"));
+  const CommandOutcome said = emit();
+  EXPECT_EQ(said.status, 0) << said.all();
+  EXPECT_TRUE(filesOf(output()).contains("fragment_hits.spv"));
+}
+
 TEST_F(Emit, ListsEverythingThatThePackageDependsOn) {
   const CommandOutcome outcome = emit({"-M"}, "agate");
   ASSERT_EQ(outcome.status, 0) << outcome.all();

@@ -16,6 +16,7 @@ TEST(CheckCommand, PrintsALineForEachModuleAndASummary) {
   EXPECT_EQ(outcome.status, 0) << outcome.all();
   EXPECT_NE(outcome.output.find("straight_line.frag: verified (6 variants"), std::string::npos) << outcome.all();
   EXPECT_NE(outcome.output.find("2 modules: 2 verified, 0 unshown, 0 refused, 0 untestable, 0 failed, 0 crashed, 0 hung"), std::string::npos) << outcome.all();
+  EXPECT_NE(outcome.output.find("\nmotion was not judged"), std::string::npos) << outcome.all();
 }
 
 TEST(CheckCommand, JsonHasEveryModule) {
@@ -23,7 +24,8 @@ TEST(CheckCommand, JsonHasEveryModule) {
   writeText(folder / "constant.frag", "#version 450\nlayout(location = 0) out vec4 color;\nvoid main() { color = vec4(1.0); }\n");
   const CommandOutcome outcome = runCommand({REPRISE_EXECUTABLE, "check", "--json", kShaders + "/loop/loop.frag", (folder / "constant.frag").string()});
   EXPECT_EQ(outcome.status, 0) << outcome.all();
-  const nlohmann::json modules = nlohmann::json::parse(outcome.output).at("modules");
+  const nlohmann::json document = nlohmann::json::parse(outcome.output), modules = document.at("modules");
+  EXPECT_EQ(document.at("motion"), "not judged");
   ASSERT_EQ(modules.size(), 2u);
   EXPECT_EQ(modules[0].at("verdict"), "verified");
   EXPECT_EQ(modules[0].at("variants"), 6);

@@ -33,6 +33,19 @@ TEST_F(ReportInBrowser, DrawsAChosenVariant) {
   EXPECT_NE(body.find("limit: tail alone, payload free"), std::string::npos);
 }
 
+TEST_F(ReportInBrowser, BeginsWithTheSuspicionThatMotionIsMissing) {
+  RunResult run = sample::variantRun();
+  EXPECT_EQ(open(run, {}).body().find("motion.suspect"), std::string::npos);
+  run.warnings.insert(run.warnings.begin(), "motion.suspect: no pixel moves");
+  const OpenedPage page = open(run, {});
+  EXPECT_EQ(page.console, "");
+  const std::string body = page.body();
+  const std::size_t suspicion = body.find("motion.suspect: no pixel moves");
+  ASSERT_NE(suspicion, std::string::npos);
+  EXPECT_LT(suspicion, body.find("Caching albedo")) << "the headline stands before it";
+  EXPECT_EQ(body.find("motion.suspect", suspicion + 1), std::string::npos) << "said twice";
+}
+
 TEST_F(ReportInBrowser, DrawsTheOriginalAndAnEmptyRun) {
   const OpenedPage original = open(sample::originalRun(), {});
   EXPECT_EQ(original.console, "");

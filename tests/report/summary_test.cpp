@@ -70,6 +70,18 @@ TEST(SummaryText, ListsTrainedCandidatesAttemptsAndWarnings) {
   EXPECT_NE(text.find("Not reached"), std::string::npos);
 }
 
+TEST(SummaryText, BeginsWithTheSuspicionThatMotionIsMissing) {
+  RunResult run = sample::variantRun();
+  EXPECT_EQ(leadingWarning(run), std::nullopt);
+  run.warnings.insert(run.warnings.begin(), "motion.suspect: no pixel moves");
+  EXPECT_EQ(leadingWarning(run), run.warnings.front());
+  const std::string text = summaryText(run);
+  EXPECT_TRUE(text.starts_with("motion.suspect: no pixel moves\n\nCaching albedo")) << text;
+  EXPECT_EQ(text.find("motion.suspect", 1), std::string::npos) << "said twice:\n" << text;
+  EXPECT_NE(text.find("\nWarnings\n  - The machine was busy"), std::string::npos) << text;
+  EXPECT_TRUE(summaryMarkdown(run).starts_with("**motion.suspect: no pixel moves**\n\n"));
+}
+
 TEST(SummaryText, TakesTheFastestPointUnderTheThreshold) {
   RunResult run = sample::emptyRun();
   RunCandidate candidate;

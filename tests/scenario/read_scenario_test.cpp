@@ -21,6 +21,8 @@ struct Mistake {
 
 const std::vector<Mistake> kMistakes = {
     {"Syntax", "width = 64", "width = = 64", "scenario.syntax", 8, 9, {"TOML"}},
+    {"UnknownMotion", "[shader]", "motion = \"non\"\n[shader]", "scenario.value", 1, 10, {"'motion'", "'non'", "did you mean 'none'?"}},
+    {"MotionOfAnotherType", "[shader]", "motion = false\n[shader]", "scenario.type", 1, 10, {"'motion'", "'vertex'", "'none'"}},
     {"UnknownKey",
      "frames = 8",
      "frmes = 8",

@@ -257,6 +257,7 @@ SessionSpec anySession(const Scenario& scenario, int number, bool reverse_z) {
 Scenario anyScenario(const fs::path& folder) {
   Scenario scenario;
   scenario.name = anyText();
+  scenario.motion = static_cast<MotionSource>(*rc::gen::inRange(0, 2));
   scenario.fragment_path = (folder / "a.frag").string();
   scenario.vertex_path = (folder / "a.vert").string();
   if (*rc::gen::arbitrary<bool>()) scenario.vertex_inputs = {{"input_0", "position"}, {"in.var.\"x\"", "uv"}};

@@ -69,6 +69,7 @@ TEST(JobResultJson, ReadsBackRowsAndKeepsNumbersExactly) {
   probe.entry = 1;
   probe.payload_min[2] = -0.3f;
   probe.payload_max[3] = 1e30f;
+  probe.payload_change[1] = 0.125f;
   probe.depth_min = 0.7f;
   probe.depth_max = 9.1f;
   probe.nonfinite_payload = 5;
@@ -89,6 +90,7 @@ TEST(JobResultJson, ReadsBackRowsAndKeepsNumbersExactly) {
   EXPECT_EQ(read.probes[0].entry, 1);
   EXPECT_EQ(read.probes[0].payload_min[2], -0.3f);
   EXPECT_EQ(read.probes[0].payload_max[3], 1e30f);
+  EXPECT_EQ(read.probes[0].payload_change[1], 0.125f);
   EXPECT_EQ(read.probes[0].depth_min, 0.7f);
   EXPECT_EQ(read.probes[0].depth_max, 9.1f);
   EXPECT_EQ(read.probes[0].nonfinite_payload, 5u);

@@ -191,6 +191,59 @@ TEST_F(MeasuredVariant, ProbeFindsTheRangesOfPayloadAndDepth) {
   EXPECT_LT(probe.depth_max, 6.0f);
 }
 
+// Before a camera that stands still; the payload follows a light that does or does not change its place.
+TEST(MeasuredPayloads, AreProbedForTheirChangeFromFrameToFrame) {
+  const auto changeOf = [](const std::string& light) {
+    const TemporaryFolder folder;
+    writeText(folder / "lit.frag", R"(#version 450
+layout(set = 0, binding = 1) uniform Light { float turn; } light;
+layout(location = 0) in vec3 object_position;
+layout(location = 0) out vec4 color;
+void main() {
+  float lit = 0.5;
+  for (int i = 0; i < 24; ++i) lit += 0.01 * sin(object_position.x * float(i) + light.turn);
+  color = vec4(lit, lit * lit, 1.0 - lit, 1.0);
+}
+)");
+    const std::filesystem::path laws = std::filesystem::path(REPRISE_SOURCE_DIR) / "shaders" / "laws";
+    writeText(folder / "lit.toml", "[shader]\nfragment = \"lit.frag\"\nvertex = \"" + (laws / "law.vert").string() + R"("
+[render]
+width = 64
+height = 64
+frames = 12
+[[object]]
+name = "ball"
+mesh = { kind = "sphere" }
+[uniforms]
+"Scene.view_projection" = "view_projection"
+"Object.model" = "model"
+"Object.normal_matrix" = "normal_matrix"
+"Light.turn" = )" + light + R"(
+[[session]]
+name = "train"
+role = "training"
+camera = { eye = [0, 0, 4], target = [0, 0, 0] }
+[[session]]
+name = "check"
+role = "validation"
+camera = { eye = [0, 0, 4], target = [0, 0, 0] }
+)");
+    const MeasuredScene scene((folder / "lit.toml").string());
+    VariantOptions options = countingVariant();
+    options.strategy = "branch";
+    options.encoding = Encoding::kRgba32f;
+    options.instrumented = false;
+    const Result<JobResult> result = run(scene.job(JobKind::kProbe, {scene.variant("probed", options, "lit"), 1}));
+    EXPECT_TRUE(result.ok()) << formatError(result.error());
+    return result.ok() ? result->probes.at(0).payload_change : ChannelFloats{};
+  };
+  EXPECT_EQ(changeOf("0.3"), ChannelFloats{});
+  const ChannelFloats change = changeOf("\"time\"");
+  EXPECT_GT(change[0], 1e-4f);
+  EXPECT_LT(change[0], 0.24f);
+  for (std::size_t channel = 1; channel < change.size(); ++channel) EXPECT_EQ(change[channel], 0) << channel;
+}
+
 // Two spheres side by side before a camera that stands still: the first does not move, the second does in the other scene.
 std::string sideBySide(const std::string& motion) {
   const std::filesystem::path shaders = std::filesystem::path(REPRISE_SOURCE_DIR) / "shaders" / "laws";

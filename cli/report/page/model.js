@@ -6,6 +6,7 @@ function readRun() {
   const block = JSON.parse(byId('run-data').textContent);
   const run = block.result;
   run.headline = block.headline;
+  run.leading = block.leading || '';
   run.pictures = block.images;
   run.evidence = block.evidence || null;
   run.shelf = block.pictures || {};

@@ -1,6 +1,7 @@
 // The outcome at a glance: sentence, tiles, warnings, times, prediction check, attempts, facts, stages.
 
 function drawHead(run) {
+  if (run.leading) byId('leading').append(html('div', { class: 'alert' }, html('b', {}, run.leading)));
   byId('title').textContent = run.scenario.name || run.scenario.path;
   byId('headline').textContent = run.headline;
   byId('because').textContent = run.isVariant ? run.choice.reason : '';
@@ -65,7 +66,8 @@ function drawAlerts(run) {
     if (!entries.length) return;
     byId('alerts').append(html('div', { class: 'alert' }, html('b', {}, title), html('ul', {}, entries.map((entry) => html('li', {}, entry)))));
   };
-  add(run.warnings.length === 1 ? 'Warning' : `${run.warnings.length} warnings`, run.warnings);
+  const warnings = run.leading ? run.warnings.slice(1) : run.warnings;
+  add(warnings.length === 1 ? 'Warning' : `${warnings.length} warnings`, warnings);
   add('Not reached within the budget', run.not_reached);
 }
 
