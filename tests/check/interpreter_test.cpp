@@ -239,6 +239,7 @@ TEST(Interpreter, TellsWhatIsUndefined) {
   InterpreterInputs inputs;
   inputs.undefined_fill = 0x3f800000;
   EXPECT_EQ(floatsOf(run(mainOf("float never; color = vec4(never);"), inputs))[0], 1.0f);
+  EXPECT_TRUE(run(mainOf("int zero = 0; color = vec4(3 / zero);")).reads_undefined);
   EXPECT_TRUE(run(mainOf("float a[2]; a[0] = a[1] = 1.0; int i = 1; color = vec4(a[i * 2]);")).undefined_behaviour);
 }
 
