@@ -160,6 +160,39 @@ OpFunctionEnd
   EXPECT_FALSE(result.outputs[0].is_float);
 }
 
+// As glslangValidator -gV writes them: debug information is instructions, inside functions and outside.
+TEST(Interpreter, PassesOverDebugInformation) {
+  const std::vector<std::uint32_t> words = wordsOf(R"(
+OpCapability Shader
+OpExtension "SPV_KHR_non_semantic_info"
+%debug = OpExtInstImport "NonSemantic.Shader.DebugInfo.100"
+OpMemoryModel Logical GLSL450
+OpEntryPoint Fragment %main "main" %out
+OpExecutionMode %main OriginUpperLeft
+%file = OpString "a.frag"
+OpDecorate %out Location 3
+%void = OpTypeVoid
+%fn = OpTypeFunction %void
+%uint = OpTypeInt 32 0
+%ptr = OpTypePointer Output %uint
+%out = OpVariable %ptr Output
+%c7 = OpConstant %uint 7
+%source = OpExtInst %void %debug DebugSource %file
+%main = OpFunction %void None %fn
+%entry = OpLabel
+%line = OpExtInst %void %debug DebugLine %source %c7 %c7 %c7 %c7
+OpLine %file 7 1
+OpStore %out %c7
+OpNoLine
+OpReturn
+OpFunctionEnd
+)", "debug.frag.spvasm");
+  const Interpretation result = run(words);
+  ASSERT_EQ(result.outputs.size(), 1u);
+  EXPECT_EQ(result.outputs[0].bits, 7u);
+  EXPECT_EQ(result.outputs[0].location, 3u);
+}
+
 constexpr const char* kBlock =
     "layout(set = 1, binding = 2, std140) uniform Block { float head; vec3 place; float list[2]; layout(row_major) mat2x3 turn; } block;\n"
     "layout(set = 1, binding = 3, std430) buffer Data { uint count; float tail[]; } data;\n";
