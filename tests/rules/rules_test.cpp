@@ -93,6 +93,15 @@ TEST(IncludeRules, NothingOfTheProductSeesTheCommandLineOrTests) {
   EXPECT_EQ(complaintsAbout("bench/marble.cpp", "tests/session/fixture.h").size(), 1u);
 }
 
+TEST(IncludeRules, TheInterpreterSharesNothingWithWhatItConvicts) {
+  const std::string file = "cli/check/interpreter/machine.cpp";
+  EXPECT_EQ(complaintsAbout(file, "compiler/ir/module.h").size(), 1u);
+  EXPECT_EQ(complaintsAbout(file, "cli/check/verdict.h").size(), 1u);
+  EXPECT_EQ(complaintsAboutThirdParty(file, "spirv-tools/libspirv.h").size(), 1u);
+  EXPECT_EQ(joined(complaintsAboutThirdParty(file, "spirv/unified1/spirv.hpp11")), "");
+  EXPECT_EQ(complaintsAboutThirdParty("cli/check/check_module.cpp", "spirv/unified1/spirv.hpp11").size(), 1u);
+}
+
 TEST(IncludeRules, SingleHeaderAllowanceCoversNoOther) {
   EXPECT_EQ(joined(complaintsAbout("profiler/scene/frame_state.h", "runtime/package/interface.h")), "");
   EXPECT_EQ(complaintsAbout("profiler/scene/frame_state.h", "runtime/package/package.h").size(), 1u);

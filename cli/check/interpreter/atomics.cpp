@@ -51,7 +51,7 @@ void modify(Machine& m, const Instruction& i) {
   if (type.kind != Kind::kInt && type.kind != Kind::kFloat) return m.fail(invalid("an atomic gives no number"));
   Scalar made = op.givingInteger(0, 1);
   made.hash = op.hash();
-  made.bits = type.kind == Kind::kFloat ? bitsOfFloat(unitFrom(op.hash()), type.width) : mixed(op.hash(), 0x33) >> 62;
+  made.bits = type.kind == Kind::kFloat ? bitsOfFloat(m.unitOf(op.hash()), type.width) : m.smallOf(op.hash());
   if (!m.helper) {
     m.decideBy(made);
     m.addEffect(op.hash());
@@ -68,7 +68,7 @@ void atomicLoad(Machine& m, const Instruction& i) {
   Operation op(i.op);
   op.with(placeOf(m, i, 0)).with(m.effects);
   const bool is_float = type.kind == Kind::kFloat;
-  *m.result(i, 1) = {is_float ? bitsOfFloat(unitFrom(op.hash()), type.width) : mixed(op.hash(), 0x33) >> 62, op.hash(), false};
+  *m.result(i, 1) = {is_float ? bitsOfFloat(m.unitOf(op.hash()), type.width) : m.smallOf(op.hash()), op.hash(), false};
 }
 
 void atomicStore(Machine& m, const Instruction& i) {

@@ -78,7 +78,7 @@ void derivative(Machine& m, const Instruction& i) {
   Scalar* to = m.result(i, type.flat);
   for (std::uint32_t c = 0; c < type.flat; ++c) {
     const Operation op = rows.operation(Operation(i.op), c);
-    to[c] = op.giving(unitFrom(op.hash()), m.scalarType(type).width);
+    to[c] = op.giving(m.unitOf(op.hash()), m.scalarType(type).width);
   }
 }
 

@@ -45,6 +45,7 @@ void goTo(Machine& m, std::uint32_t label) {
   frame.block = m.program.ids[label].slot;
   frame.next = 0;
   const Block& block = function.blocks[frame.block];
+  m.reached[block.number] = true;
   if (!block.instructions.empty() && block.instructions[0].op == Op::OpPhi) takePhis(m, block);
 }
 
@@ -145,6 +146,7 @@ void enter(Machine& m, std::uint32_t number, const Instruction* call) {
   m.memory.resize(frame.memory + function.memory);
   m.charge(function.registers + function.memory);
   m.frames.push_back(frame);
+  m.reached[function.blocks[0].number] = true;
   const Scalar* value = m.passed.data();
   for (const std::uint32_t parameter : function.parameters) {
     const IdInfo& info = m.program.ids[parameter];

@@ -122,7 +122,7 @@ void interpolate(Machine& m, const Instruction& i) {
   Scalar* to = m.result(i, type.flat);
   for (std::uint32_t c = 0; c < type.flat; ++c) {
     const Operation op = Operation(place).take(varying[c], m.scalarType(type));
-    to[c] = op.giving(unitFrom(op.hash()), m.scalarType(type).width);
+    to[c] = op.giving(m.unitOf(op.hash()), m.scalarType(type).width);
   }
 }
 

@@ -26,9 +26,9 @@ Operation& takeOperands(Machine& m, const Instruction& i, std::size_t first, std
 }
 
 // Floats in [0, 1), integers from 0 to 3, all with the hash of how they came to be.
-Scalar madeUp(const Operation& op, const Type& scalar) {
-  if (scalar.kind == Kind::kFloat) return op.giving(unitFrom(op.hash()), scalar.width);
-  Scalar value = op.givingInteger(mixed(op.hash(), 0x33) >> 62, std::max(scalar.width, 1u));
+Scalar madeUp(const Machine& m, const Operation& op, const Type& scalar) {
+  if (scalar.kind == Kind::kFloat) return op.giving(m.unitOf(op.hash()), scalar.width);
+  Scalar value = op.givingInteger(m.smallOf(op.hash()), std::max(scalar.width, 1u));
   value.hash = op.hash();
   return value;
 }
@@ -37,7 +37,7 @@ Scalar madeUp(const Operation& op, const Type& scalar) {
 void giveMadeUp(Machine& m, const Instruction& i, const Operation& op) {
   const Type& type = m.type(i);
   Scalar* to = m.result(i, type.flat);
-  for (std::uint32_t c = 0; c < type.flat; ++c) to[c] = madeUp(Operation(op).with(c), m.scalarType(type));
+  for (std::uint32_t c = 0; c < type.flat; ++c) to[c] = madeUp(m, Operation(op).with(c), m.scalarType(type));
 }
 
 // kBefore: operands before the mask.

@@ -22,6 +22,17 @@ S moduloSigned(S a, S b) {
   return rest != 0 && (rest < 0) != (b < 0) ? rest + b : rest;
 }
 
+// By zero the result is undefined.
+template <bool kSigned, auto f>
+void divide(Machine& m, const Instruction& i) {
+  ofIntegers<2, kSigned, f>(m, i);
+  const std::uint32_t size = m.type(i).flat;
+  const Scalar* divisor = m.operand(i, 1, size);
+  Scalar* to = m.result(i, size);
+  for (std::uint32_t c = 0; c < size; ++c)
+    if (divisor[c].bits == 0) to[c].undefined = true;
+}
+
 template <auto f>
 void shift(Machine& m, const Instruction& i) {
   const Type& type = m.type(i);
@@ -135,11 +146,11 @@ Handler arithmeticHandler(Op op) {
     case Op::OpISub: return ofIntegers<2, false, [](U a, U b) { return a - b; }>;
     case Op::OpIMul: return ofIntegers<2, false, [](U a, U b) { return a * b; }>;
     case Op::OpSNegate: return ofIntegers<1, false, [](U a) { return U{0} - a; }>;
-    case Op::OpUDiv: return ofIntegers<2, false, dividedUnsigned>;
-    case Op::OpSDiv: return ofIntegers<2, true, dividedSigned>;
-    case Op::OpUMod: return ofIntegers<2, false, remainderUnsigned>;
-    case Op::OpSRem: return ofIntegers<2, true, remainderSigned>;
-    case Op::OpSMod: return ofIntegers<2, true, moduloSigned>;
+    case Op::OpUDiv: return divide<false, dividedUnsigned>;
+    case Op::OpSDiv: return divide<true, dividedSigned>;
+    case Op::OpUMod: return divide<false, remainderUnsigned>;
+    case Op::OpSRem: return divide<true, remainderSigned>;
+    case Op::OpSMod: return divide<true, moduloSigned>;
     case Op::OpBitwiseAnd: return ofIntegers<2, false, [](U a, U b) { return a & b; }>;
     case Op::OpBitwiseOr: return ofIntegers<2, false, [](U a, U b) { return a | b; }>;
     case Op::OpBitwiseXor: return ofIntegers<2, false, [](U a, U b) { return a ^ b; }>;

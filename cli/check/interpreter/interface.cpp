@@ -92,9 +92,9 @@ double smooth(const Machine& m, std::uint64_t key) {
 }
 
 // Integers stay the same over tiles of the image, as they do over triangles.
-std::uint32_t overTiles(const Machine& m, std::uint64_t key) {
+std::uint32_t overTiles(const Machine& m, std::uint64_t key, const Slot& slot) {
   const auto tile = [](float place) { return static_cast<std::uint64_t>(std::clamp(place, 0.0f, 65535.0f) / 16.0f); };
-  return madeUpInt(m, mixed(mixed(key, tile(m.inputs.frag_x)), tile(m.inputs.frag_y)));
+  return madeUpInt(m, mixed(mixed(key, tile(m.inputs.frag_x)), tile(m.inputs.frag_y)), slot.location + slot.component);
 }
 
 Scalar builtInOf(const Machine& m, const Type& scalar, const Slot& slot) {
@@ -106,19 +106,19 @@ Scalar builtInOf(const Machine& m, const Type& scalar, const Slot& slot) {
       if (slot.component == 0) return number(m.inputs.frag_x);
       if (slot.component == 1) return number(m.inputs.frag_y);
       return number(smooth(m, key) + (slot.component == 3 ? 0.5 : 0.0) * 0.999);
-    case spv::BuiltIn::FrontFacing: return {overTiles(m, key) != 0 ? 1u : 0u, 0, false};
+    case spv::BuiltIn::FrontFacing: return {overTiles(m, key, slot) != 0 ? 1u : 0u, 0, false};
     case spv::BuiltIn::PointCoord: return number(smooth(m, key));
     case spv::BuiltIn::SamplePosition: return number(0.5);
     case spv::BuiltIn::SampleMask: return {maskOf(scalar.width), 0, false};
     case spv::BuiltIn::SampleId: case spv::BuiltIn::HelperInvocation: return {};
     default: break;
   }
-  return is_float ? number(inRangeOfSeed(m.inputs.seed, smooth(m, key))) : Scalar{overTiles(m, key) & maskOf(scalar.width), 0, false};
+  return is_float ? number(inRangeOfSeed(m.inputs.seed, smooth(m, key))) : Scalar{overTiles(m, key, slot) & maskOf(scalar.width), 0, false};
 }
 
 Scalar varyingOf(const Machine& m, const Type& scalar, const Slot& slot) {
   const std::uint64_t place = mixed(termOf(Term::kVarying, slot.location), slot.component);
-  if (scalar.kind != Kind::kFloat) return {overTiles(m, place) & maskOf(scalar.width), 0, false};
+  if (scalar.kind != Kind::kFloat) return {overTiles(m, place, slot) & maskOf(scalar.width), 0, false};
   return {bitsOfFloat(inRangeOfSeed(m.inputs.seed, smooth(m, place)), scalar.width), mixed(place, slot.interpolation), false};
 }
 

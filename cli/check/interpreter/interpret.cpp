@@ -15,14 +15,17 @@ using interpreter::Machine;
 using interpreter::Program;
 using Ending = Interpretation::Ending;
 
-constexpr int kImageSize = 64;
+constexpr int kImageSize = 64, kSeedsAtOnce = 4;
 // What a rewritten module may need for what the given one computes: tests of flags, copies.
 constexpr std::uint64_t kStepsOfPrepared = 8, kFewSteps = 10000;
 
-Result<Interpretation> interpret(const Program& program, const InterpreterInputs& inputs) {
+// reached: by number, the blocks that this run or one before came to; null where nobody asks.
+Result<Interpretation> interpret(const Program& program, const InterpreterInputs& inputs, std::vector<bool>* reached = nullptr) {
   Machine machine(program, inputs);
   machine.run();
   if (machine.failure) return *machine.failure;
+  for (std::size_t i = 0; reached != nullptr && i < reached->size(); ++i)
+    if (machine.reached[i]) (*reached)[i] = true;
   Interpretation result;
   result.ending = machine.ending;
   result.side_effects = machine.side_effects;
@@ -97,12 +100,26 @@ void placeAt(InterpreterInputs& inputs, int number, int count) {
 
 class Comparison {
  public:
-  Comparison(const Program& given, const Program& prepared, const CompareOptions& options) : given_(given), prepared_(prepared), options_(options) {}
+  Comparison(const Program& given, const Program& prepared, const CompareOptions& options) : given_(given), prepared_(prepared), options_(options) {
+    reached_.resize(given.blocks);
+  }
 
   Result<std::optional<ComputationDifference>> run() {
+    REPRISE_ASSIGN(auto difference, compareOver(0, options_.seeds));
+    for (int done = 0; done < options_.more_seeds && !difference && unreached() > 0; done += kSeedsAtOnce) {
+      REPRISE_ASSIGN(difference, compareOver(options_.seeds + done, options_.seeds + std::min(done + kSeedsAtOnce, options_.more_seeds)));
+    }
+    counts_.unreached = unreached();
+    return difference;
+  }
+
+  CompareCounts counts() const { return counts_; }
+
+ private:
+  Result<std::optional<ComputationDifference>> compareOver(int first, int end) {
     // Points of all seeds in turn, so that a budget that ends early leaves out points and not seeds.
     for (int point = 0; point < options_.points; ++point)
-      for (int s = 0; s < options_.seeds; ++s) {
+      for (int s = first; s < end; ++s) {
         if (steps_ >= options_.most_steps_together) return std::optional<ComputationDifference>{};
         InterpreterInputs inputs;
         inputs.seed = options_.first_seed + static_cast<std::uint32_t>(s);
@@ -113,12 +130,21 @@ class Comparison {
     return std::optional<ComputationDifference>{};
   }
 
-  CompareCounts counts() const { return counts_; }
+  // Of functions that were called; their first block was reached then.
+  int unreached() {
+    int missing = 0;
+    counts_.blocks = 0;
+    for (const interpreter::Function& function : given_.functions) {
+      if (function.blocks.empty() || !reached_[function.blocks[0].number]) continue;
+      counts_.blocks += static_cast<int>(function.blocks.size());
+      for (const interpreter::Block& block : function.blocks) missing += reached_[block.number] ? 0 : 1;
+    }
+    return missing;
+  }
 
- private:
   Result<std::optional<Texts>> compareAt(InterpreterInputs inputs) {
     inputs.most_steps = options_.most_steps;
-    REPRISE_ASSIGN(const Interpretation given, interpret(given_, inputs));
+    REPRISE_ASSIGN(const Interpretation given, interpret(given_, inputs, &reached_));
     steps_ += given.steps;
     if (given.ending == Ending::kEndless) {
       ++counts_.endless;
@@ -139,6 +165,7 @@ class Comparison {
   const Program& prepared_;
   const CompareOptions& options_;
   CompareCounts counts_;
+  std::vector<bool> reached_;
   std::uint64_t steps_ = 0;
 };
 

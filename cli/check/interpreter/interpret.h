@@ -7,8 +7,9 @@
 // holds exactly; an integer that was made from floats carries their hash. What textures, derivatives and atomics give is made up from the hash
 // of the operation and its operands. RelaxedPrecision and NoContraction are no part of a hash.
 //
-// Seeds choose the range of made-up floats in turn: [0, 1), [-1, 1), [0, 8), [0, 2). Made-up integers are 0 to 3; over four seeds in a
-// row each is every one of them. Indices out of range are clamped, as robust access does it.
+// Seeds choose the range of made-up floats in turn: [0, 1), [-1, 1), [0, 8), [0, 2). Made-up integers are 0 to 3; over four seeds from
+// a multiple of four on each is every one of them, and over sixteen two that lie beside each other have all pairs. Indices out of range are
+// clamped, as robust access does it.
 #pragma once
 
 #include <cstddef>
@@ -71,15 +72,17 @@ struct ComputationDifference {
 };
 
 struct CompareOptions {
-  std::uint32_t first_seed = 1;
+  std::uint32_t first_seed = 0;                   // a multiple of four, for the sake of made-up integers
   int seeds = 4;
   int points = 16;                                // per seed, on a grid over 64x64 pixels
+  int more_seeds = 12;                            // after those, while blocks of the given module were not reached
   std::uint64_t most_steps = 1u << 20;            // of the given module, at one point
   std::uint64_t most_steps_together = 1u << 24;   // of the given module; after those no further point is begun
 };
 
 // How much a comparison shows: points that were compared, and those at which the given module says nothing.
 struct CompareCounts {
+  int blocks = 0, unreached = 0;    // of the given module's functions that were called; nothing is known of those unreached
   int returned = 0, discarded = 0;  // compared, by how the given module ended
   int endless = 0, undefined = 0;   // the given module did not end; modules differ, but the given one's behaviour is undefined
 };

@@ -12,11 +12,14 @@ constexpr std::size_t kLeastScratch = 64;  // what handlers take of values whose
 
 }  // namespace
 
-Machine::Machine(const Program& read, const InterpreterInputs& given) : program(read), inputs(given) {
+Machine::Machine(const Program& read, const InterpreterInputs& given)
+    : program(read), inputs(given),
+      point(mixed(mixed(termOf(Term::kMadeUp, given.seed), std::bit_cast<std::uint32_t>(given.frag_x)), std::bit_cast<std::uint32_t>(given.frag_y))) {
   std::size_t largest = kLeastScratch;
   for (const Type& type : program.types)
     if (type.flat <= kMostScalars) largest = std::max<std::size_t>(largest, type.flat);
   zeros.resize(largest);
+  reached.resize(program.blocks);
   scratch.resize(largest);
 }
 

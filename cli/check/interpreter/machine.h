@@ -51,6 +51,9 @@ struct Machine {
   // Undefined values of a type.
   void fillUndefined(const Type& type, Scalar* to) const;
   void addEffect(std::uint64_t term);
+  // What an operation gives that no value decides: in [0, 1), and 0 to 3; of its hash, and another one at every point and seed.
+  double unitOf(std::uint64_t hash) const { return unitFrom(mixed(point, hash)); }
+  std::uint64_t smallOf(std::uint64_t hash) const { return mixed(point, ~hash) >> 62; }
 
   const Program& program;
   const InterpreterInputs& inputs;
@@ -64,6 +67,8 @@ struct Machine {
   Interpretation::Ending ending = Interpretation::Ending::kReturned;
   bool finished = false, helper = false;  // helper: after a demote
   bool reads_undefined = false, undefined_behaviour = false;
+  const std::uint64_t point;  // of seed and place
+  std::vector<bool> reached;  // blocks by number
   std::uint64_t side_effects = 0, effects = 0, steps = 0;  // effects: how many there were
 };
 

@@ -83,7 +83,7 @@ Scalar leafOf(const Machine& m, const Buffer& buffer, const Type& scalar, std::u
     const std::size_t size = std::max(scalar.width, 8u) / 8;
     if (offset + size <= buffer.given->size()) std::memcpy(&value.bits, buffer.given->data() + offset, size);
   } else {
-    value.bits = is_float ? bitsOfFloat(madeUpFloat(m, address), scalar.width) : madeUpInt(m, address);
+    value.bits = is_float ? bitsOfFloat(madeUpFloat(m, address), scalar.width) : madeUpInt(m, address, offset / 4);
   }
   if (scalar.kind == Kind::kBool) value.bits = value.bits != 0 ? 1 : 0;
   if (is_float) value.hash = address;
@@ -97,6 +97,9 @@ void storeLeaf(Machine& m, const Buffer& buffer, const Type& scalar, std::uint64
   if (m.stored.size() >= kMostMemory) return m.fail(unsupported("buffers of which so much is written"));
   m.stored[address] = value;
 }
+
+// Of the field of four elements, whose sums are exclusive ors.
+std::uint64_t timesInField(std::uint64_t a, std::uint64_t b) { return a == 0 || b == 0 ? 0 : (a + b - 2) % 3 + 1; }
 
 Layout layoutOf(const Pointer& pointer) { return {pointer.matrix_stride, pointer.component_stride, pointer.row_major}; }
 
@@ -252,11 +255,12 @@ double madeUpFloat(const Machine& machine, std::uint64_t key) {
   return inRangeOfSeed(machine.inputs.seed, unitFrom(mixed(termOf(Term::kMadeUp, machine.inputs.seed), key)));
 }
 
-// Linear in the two lowest digits of the seed, so that four seeds in a row give all four values.
-std::uint32_t madeUpInt(const Machine& machine, std::uint64_t key) {
+// Linear over the field of four elements in the two lowest digits of the seed: four seeds from a multiple of four on give all four values, and sixteen
+// give all pairs of two integers whose places differ by no multiple of four.
+std::uint32_t madeUpInt(const Machine& machine, std::uint64_t key, std::uint64_t place) {
   const std::uint64_t hash = mixed(termOf(Term::kMadeUp, machine.inputs.seed / 16), key) >> 32;
   const std::uint64_t low = machine.inputs.seed & 3, high = (machine.inputs.seed >> 2) & 3;
-  return static_cast<std::uint32_t>((hash + low * ((hash >> 8) | 1) + high * (hash >> 16)) & 3);
+  return static_cast<std::uint32_t>((hash & 3) ^ low ^ timesInField(high, place & 3));
 }
 
 void load(Machine& machine, const Scalar& scalar, const Type& type, Scalar* to) {

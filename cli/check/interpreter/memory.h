@@ -30,9 +30,9 @@ std::uint64_t identityOf(const Machine& machine, const Pointer& pointer);
 void load(Machine& machine, const Scalar& pointer, const Type& type, Scalar* to);
 void store(Machine& machine, const Scalar& pointer, const Type& type, const Scalar* from);
 
-// Made-up numbers: of `key` at this run's seed.
+// Made-up numbers: of `key` at this run's seed. place: numbers beside each other have others.
 double madeUpFloat(const Machine& machine, std::uint64_t key);
-std::uint32_t madeUpInt(const Machine& machine, std::uint64_t key);
+std::uint32_t madeUpInt(const Machine& machine, std::uint64_t key, std::uint64_t place);
 // In the range of the seed, from one in [0, 1).
 double inRangeOfSeed(std::uint32_t seed, double unit);
 

@@ -191,7 +191,9 @@ class Reader {
       case Op::OpLabel: {
         const auto owner = static_cast<std::uint32_t>(program_.functions.size());
         program_.ids[raw.result] = {IdInfo::What::kLabel, 0, static_cast<std::uint32_t>(function_->blocks.size()), owner, 0};
-        function_->blocks.emplace_back().label = raw.result;
+        Block& block = function_->blocks.emplace_back();
+        block.label = raw.result;
+        block.number = program_.blocks++;
         in_block_ = true;
         return {};
       }

@@ -81,6 +81,7 @@ struct Variable {
 
 struct Block {
   std::uint32_t label = 0;
+  std::uint32_t number = 0;  // among all blocks of the module
   std::vector<Instruction> instructions;
 };
 
@@ -104,6 +105,7 @@ struct Program {
   std::vector<std::uint32_t> interface;          // ids that the entry point names
   std::uint32_t entry = 0;                       // index of the function
   std::uint32_t registers = 0, memory = 0;       // scalars of constants and of variables
+  std::uint32_t blocks = 0;                      // of all functions
 };
 
 // Errors: interpreter.invalid, interpreter.unsupported.
