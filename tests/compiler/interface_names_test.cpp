@@ -130,6 +130,10 @@ TEST(InterfaceNames, TellBlocksOfOneTypeApart) {
   EXPECT_EQ(descriptorNames("stripped.spvasm"), (Names{"block_0_1", "block_1_0", "block_1_1", "texture_0_2"}));
 }
 
+TEST(InterfaceNames, StayWithABlockThatTwoStagesOfOneModuleDeclare) {
+  EXPECT_EQ(descriptorNames("two_stages_in_one_module.spvasm"), (Names{"Scene"}));
+}
+
 TEST(InterfaceNames, OfVertexInputsAreThoseOfMeshes) {
   CompiledShader shader = compiled("#version 450\nlayout(location = 0) in vec3 a;\nlayout(location = 1) in vec2 b;\nlayout(location = 2) in vec3 c;\n"
                                    "void main() { gl_Position = vec4(a.xy + b, a.z, c.x); }\n", "a.vert");
