@@ -81,18 +81,6 @@ void nameImages(NamedWords& module) {
   }
 }
 
-// "position" of "input.position"; what a mesh calls it where that is a semantic of HLSL.
-std::string attributeName(const std::string& name) {
-  static const std::map<std::string, std::string> kSemantics = {
-      {"position", "position"}, {"position0", "position"}, {"normal", "normal"}, {"normal0", "normal"}, {"tangent", "tangent"},
-      {"tangent0", "tangent"},  {"texcoord", "uv"},        {"texcoord0", "uv"},  {"color", "color"},    {"color0", "color"}};
-  std::string last = name.substr(name.rfind('.') == std::string::npos ? 0 : name.rfind('.') + 1);
-  std::string small = last;
-  std::transform(small.begin(), small.end(), small.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto semantic = kSemantics.find(small);
-  return semantic == kSemantics.end() ? last : semantic->second;
-}
-
 std::string locationName(const char* kind, const NamedWords& module, std::uint32_t id) {
   std::string name = kind + std::string("_") + std::to_string(*module.decoration(id, Decoration::Location));
   if (const std::uint32_t component = module.decoration(id, Decoration::Component).value_or(0); component != 0) name += "_" + std::to_string(component);
@@ -229,6 +217,17 @@ std::vector<std::uint32_t> withNamesOf(std::span<const std::uint32_t> other, std
 }
 
 }  // namespace
+
+std::string attributeName(const std::string& name) {
+  static const std::map<std::string, std::string> kSemantics = {
+      {"position", "position"}, {"position0", "position"}, {"normal", "normal"}, {"normal0", "normal"}, {"tangent", "tangent"},
+      {"tangent0", "tangent"},  {"texcoord", "uv"},        {"texcoord0", "uv"},  {"color", "color"},    {"color0", "color"}};
+  std::string last = name.substr(name.rfind('.') == std::string::npos ? 0 : name.rfind('.') + 1);
+  std::string small = last;
+  std::transform(small.begin(), small.end(), small.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto semantic = kSemantics.find(small);
+  return semantic == kSemantics.end() ? last : semantic->second;
+}
 
 std::vector<std::uint32_t> withInterfaceNames(std::span<const std::uint32_t> words) {
   NamedWords module(words);
