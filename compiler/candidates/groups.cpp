@@ -34,14 +34,16 @@ struct Cut {
   double tail_cost = 0;
 };
 
+// The network is built once: from cut to cut only the prices of values change.
 class CutFinder {
  public:
-  // allowed: which singles may be kept.
-  CutFinder(const ShaderAnalysis& analysis, const std::vector<Candidate>& singles, std::vector<std::size_t> allowed)
-      : analysis_(analysis), singles_(singles), allowed_(std::move(allowed)) {}
+  CutFinder(const ShaderAnalysis& analysis, const std::vector<Candidate>& singles) : analysis_(analysis), singles_(singles) { build(); }
+
+  // Which singles may be kept from here on.
+  void allow(std::vector<std::size_t> allowed) { allowed_ = std::move(allowed); }
 
   Cut at(double gamma) {
-    build(gamma);
+    setPrices(gamma);
     boost::boykov_kolmogorov_max_flow(flow_, source_, sink_);
     const auto color = boost::get(boost::vertex_color, flow_);
     // Black: reached from the source by what capacity is left.
@@ -62,7 +64,7 @@ class CutFinder {
   static std::size_t in(std::size_t node) { return 2 * node; }
   static std::size_t out(std::size_t node) { return 2 * node + 1; }
 
-  void connect(std::size_t from, std::size_t to, Capacity capacity) {
+  Traits::edge_descriptor connect(std::size_t from, std::size_t to, Capacity capacity) {
     const auto forward = boost::add_edge(from, to, flow_).first, backward = boost::add_edge(to, from, flow_).first;
     const auto capacities = boost::get(boost::edge_capacity, flow_);
     const auto reverses = boost::get(boost::edge_reverse, flow_);
@@ -70,22 +72,29 @@ class CutFinder {
     capacities[backward] = 0;
     reverses[forward] = backward;
     reverses[backward] = forward;
+    return forward;
   }
 
-  void build(double gamma) {
+  void setPrices(double gamma) {
+    const auto capacities = boost::get(boost::edge_capacity, flow_);
+    for (const auto& [node, edge] : price_of_) capacities[edge] = kUncuttable;
+    for (const std::size_t single : allowed_) {
+      const CandidateValue& value = singles_[single].values.front();
+      const auto edge = price_of_.find(static_cast<std::size_t>(value.node));
+      if (edge != price_of_.end()) capacities[edge->second] = std::llround(gamma * value.channels * kUnit);
+    }
+  }
+
+  void build() {
     const ValueGraph& graph = analysis_.graph;
     source_ = 2 * graph.nodes.size();
     sink_ = source_ + 1;
     flow_ = FlowGraph(sink_ + 1);
-    std::map<std::size_t, int> channels;
-    for (const std::size_t single : allowed_)
-      channels[static_cast<std::size_t>(singles_[single].values.front().node)] = singles_[single].values.front().channels;
     for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
       if (!analysis_.live[i]) continue;
       const Node& node = graph.nodes[i];
       if (node.root) connect(source_, out(i), kUncuttable);
-      const auto price = channels.find(i);
-      connect(in(i), out(i), price == channels.end() ? kUncuttable : std::llround(gamma * price->second * kUnit));
+      price_of_[i] = connect(in(i), out(i), kUncuttable);
       if (node.cost > 0) connect(out(i), sink_, std::llround(node.cost * kUnit));
       for (const int needed : node.needs) connect(out(i), in(static_cast<std::size_t>(needed)), kUncuttable);
       for (const int controller : graph.flow.controllers[static_cast<std::size_t>(node.block)])
@@ -97,6 +106,7 @@ class CutFinder {
   const std::vector<Candidate>& singles_;
   std::vector<std::size_t> allowed_;
   FlowGraph flow_;
+  std::map<std::size_t, Traits::edge_descriptor> price_of_;  // by node
   std::size_t source_ = 0, sink_ = 0;
 };
 
@@ -157,8 +167,9 @@ std::vector<std::vector<std::size_t>> findGroups(const ShaderAnalysis& analysis,
   if (is_long) sets.resize(1);
   const std::size_t most_cuts = is_long ? std::min<std::size_t>(options.most_cuts, 4) : options.most_cuts;
   std::set<std::vector<std::size_t>> groups;
+  CutFinder finder(analysis, singles);
   for (std::vector<std::size_t>& set : sets) {
-    CutFinder finder(analysis, singles, std::move(set));
+    finder.allow(std::move(set));
     for (Cut& cut : cutsOnHull(finder, analysis.total_cost, most_cuts))
       if (cut.kept.size() >= 2 && cut.channels <= options.most_channels) groups.insert(std::move(cut.kept));
   }

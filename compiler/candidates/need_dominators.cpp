@@ -90,6 +90,9 @@ NeedDominators::NeedDominators(const ValueGraph& graph) : cost_(graph.nodes.size
     size_[above] += ++size_[node];
   }
   ++size_[nodeAt(0)];
+  needed_by_.resize(needs.size());
+  for (std::size_t i = 1; i < order.size(); ++i)
+    for (const int target : needs[nodeAt(i)]) needed_by_[static_cast<std::size_t>(target)].push_back(order[i]);
   std::vector<int> next(cost_.size(), 1);
   for (std::size_t i = 1; i < order.size(); ++i) {
     const std::size_t node = nodeAt(i), above = nodeAt(static_cast<std::size_t>(dominator[i]));
@@ -97,6 +100,22 @@ NeedDominators::NeedDominators(const ValueGraph& graph) : cost_(graph.nodes.size
     next[above] += size_[node];
     next[node] = first_[node] + 1;
   }
+}
+
+std::vector<bool> NeedDominators::dependents(int node) const {
+  std::vector<bool> depends(needed_by_.size() - 1, false);
+  std::vector<int> work{node};
+  depends[static_cast<std::size_t>(node)] = true;
+  while (!work.empty()) {
+    const std::vector<int>& users = needed_by_[static_cast<std::size_t>(work.back())];
+    work.pop_back();
+    for (const int user : users) {
+      if (depends[static_cast<std::size_t>(user)]) continue;
+      depends[static_cast<std::size_t>(user)] = true;
+      work.push_back(user);
+    }
+  }
+  return depends;
 }
 
 bool NeedDominators::isThrough(int through, int node) const {

@@ -19,10 +19,13 @@ class NeedDominators {
   double costThrough(int node) const { return cost_[static_cast<std::size_t>(node)]; }
   // Whether `node` is needed through `through` alone. Both are needed by the shader.
   bool isThrough(int through, int node) const;
+  // By node of the graph: whether it is needed by the shader and needs this one, which counts, too.
+  std::vector<bool> dependents(int node) const;
 
  private:
   std::vector<double> cost_;
-  std::vector<int> first_, size_;  // by node: where its subtree lies in an order of the dominator tree
+  std::vector<std::vector<int>> needed_by_;  // by node, of what the shader needs
+  std::vector<int> first_, size_;            // by node: where its subtree lies in an order of the dominator tree
 };
 
 }  // namespace reprise

@@ -84,7 +84,7 @@ WeighedPayload weighSingle(const ShaderAnalysis& analysis, const NeedDominators&
   weighed.saved_cost = std::max(0.0, weighed.saved_cost);
   if (!analysis.takes_derivatives) return weighed;
   const bool differentiated = analysis.differentiated[static_cast<std::size_t>(value.node)];
-  const std::vector<bool> depends = differentiated ? dependentNodes(graph, {value.node}) : std::vector<bool>(slice.size(), false);
+  const std::vector<bool> depends = differentiated ? dominators.dependents(value.node) : std::vector<bool>(slice.size(), false);
   for (std::size_t i = 0; i < slice.size(); ++i) {
     if (!takesImplicitDerivative(graph.nodes[i].instruction->opcode)) continue;
     weighed.slice_takes_derivatives |= slice[i];

@@ -37,6 +37,10 @@ std::string placed(const std::string& kind, const NamedWords& module, std::uint3
          std::to_string(module.decoration(id, Decoration::Binding).value_or(0));
 }
 
+std::string placeName(const NamedWords& module, const Variable& block) {
+  return block.storage == StorageClass::PushConstant ? kPushConstants : placed("block", module, block.id);
+}
+
 void nameMembers(NamedWords& module, std::uint32_t type_id, std::set<std::uint32_t>& done) {
   type_id = module.withoutArrays(type_id);
   const NamedWords::Type* type = module.type(type_id);
@@ -49,21 +53,23 @@ void nameMembers(NamedWords& module, std::uint32_t type_id, std::set<std::uint32
 }
 
 void nameBlocks(NamedWords& module) {
-  std::map<std::uint32_t, int> blocks_of_type;
-  for (const Variable& variable : module.variables()) blocks_of_type[variable.type] += isBlock(module, variable) ? 1 : 0;
+  // By type. A module of several stages may declare one block for each of them.
+  std::map<std::uint32_t, std::set<std::string>> places;
+  for (const Variable& variable : module.variables())
+    if (isBlock(module, variable)) places[variable.type].insert(placeName(module, variable));
   std::set<std::uint32_t> done;
   for (const Variable& variable : module.variables()) {
     if (!isBlock(module, variable)) continue;
     nameMembers(module, variable.type, done);
-    const bool shared = blocks_of_type[variable.type] > 1;
+    const bool shared = places[variable.type].size() > 1;
     const std::string type_name = module.name(variable.type), own = module.name(variable.id);
-    const std::string by_place = variable.storage == StorageClass::PushConstant ? kPushConstants : placed("block", module, variable.id);
+    const std::string by_place = placeName(module, variable);
     const bool keeps_type = !shared && !type_name.empty() && !(isCompilersOwn(type_name) && !own.empty());
     if (!keeps_type && own.empty()) module.setName(variable.id, by_place);
     if (!keeps_type && !shared) module.setName(variable.type, own.empty() ? by_place : own);
   }
-  for (const auto& [type, blocks] : blocks_of_type)
-    if (blocks > 1) module.setName(type, "");
+  for (const auto& [type, of_type] : places)
+    if (of_type.size() > 1) module.setName(type, "");
 }
 
 void nameImages(NamedWords& module) {
@@ -73,18 +79,6 @@ void nameImages(NamedWords& module) {
     const bool stores = type->opcode == Op::OpTypeImage && type->operands.size() > 5 && type->operands[5] == 2;
     module.setName(variable.id, placed(type->opcode == Op::OpTypeSampler ? "sampler" : stores ? "image" : "texture", module, variable.id));
   }
-}
-
-// "position" of "input.position"; what a mesh calls it where that is a semantic of HLSL.
-std::string attributeName(const std::string& name) {
-  static const std::map<std::string, std::string> kSemantics = {
-      {"position", "position"}, {"position0", "position"}, {"normal", "normal"}, {"normal0", "normal"}, {"tangent", "tangent"},
-      {"tangent0", "tangent"},  {"texcoord", "uv"},        {"texcoord0", "uv"},  {"color", "color"},    {"color0", "color"}};
-  std::string last = name.substr(name.rfind('.') == std::string::npos ? 0 : name.rfind('.') + 1);
-  std::string small = last;
-  std::transform(small.begin(), small.end(), small.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto semantic = kSemantics.find(small);
-  return semantic == kSemantics.end() ? last : semantic->second;
 }
 
 std::string locationName(const char* kind, const NamedWords& module, std::uint32_t id) {
@@ -223,6 +217,17 @@ std::vector<std::uint32_t> withNamesOf(std::span<const std::uint32_t> other, std
 }
 
 }  // namespace
+
+std::string attributeName(const std::string& name) {
+  static const std::map<std::string, std::string> kSemantics = {
+      {"position", "position"}, {"position0", "position"}, {"normal", "normal"}, {"normal0", "normal"}, {"tangent", "tangent"},
+      {"tangent0", "tangent"},  {"texcoord", "uv"},        {"texcoord0", "uv"},  {"color", "color"},    {"color0", "color"}};
+  std::string last = name.substr(name.rfind('.') == std::string::npos ? 0 : name.rfind('.') + 1);
+  std::string small = last;
+  std::transform(small.begin(), small.end(), small.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto semantic = kSemantics.find(small);
+  return semantic == kSemantics.end() ? last : semantic->second;
+}
 
 std::vector<std::uint32_t> withInterfaceNames(std::span<const std::uint32_t> words) {
   NamedWords module(words);

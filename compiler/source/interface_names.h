@@ -14,12 +14,16 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace reprise {
 
 // The module with these names; the very words where nothing is to be named. It must have passed the validator and have one entry point.
 std::vector<std::uint32_t> withInterfaceNames(std::span<const std::uint32_t> words);
+
+// What meshes call an input: "normal" of "input.normal", "uv" of "in.var.TEXCOORD0"; the last part of other names.
+std::string attributeName(const std::string& name);
 
 // Gives blocks and images that both stages have at one set and binding, and push constants, one name in both, that of the vertex
 // module where both have one: blocks where one is the beginning of the other, by types and offsets.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/source/interface_names.h"
 #include "compiler/source/stage_interface.h"
 
 namespace reprise {
@@ -71,12 +72,13 @@ Result<std::string> standardVertexText(std::span<const std::uint32_t> fragment_w
   for (const Descriptor& descriptor : fragment.descriptors) set = std::max(set, descriptor.set + 1);
   std::string text = head(options, set), body = deformation(options);
   for (const StageSlot& slot : fragment.inputs) {
-    const auto varying = std::find_if(std::begin(kVaryings), std::end(kVaryings), [&](const Varying& known) { return slot.name == known.name; });
+    const std::string name = slot.name.find('.') == std::string::npos ? slot.name : attributeName(slot.name);  // of HLSL and Slang
+    const auto varying = std::find_if(std::begin(kVaryings), std::end(kVaryings), [&](const Varying& known) { return name == known.name; });
     if (varying == std::end(kVaryings) || slot.type != varying->type) return unknownVarying(slot);
-    const std::string out = "out_" + slot.name;
+    const std::string out = "out_" + name;
     // Inputs that nobody reads would have to be bound all the same.
-    if (slot.name == "uv") text += "layout(location = 3) in vec2 uv;\n";
-    if (slot.name == "color") text += "layout(location = 4) in vec4 color;\n";
+    if (name == "uv") text += "layout(location = 3) in vec2 uv;\n";
+    if (name == "color") text += "layout(location = 4) in vec4 color;\n";
     text += "layout(location = " + std::to_string(slot.location) + ", component = " + std::to_string(slot.component) + ") out " + slot.type + " " + out + ";\n";
     body += "  " + out + " = " + varying->value + ";\n";
   }

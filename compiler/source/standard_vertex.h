@@ -2,7 +2,7 @@
 //
 //   p = position + sum of morph_weights[i] * morph_position_i; if joint_count > 0: p = (sum of weights[j] * joint_matrices[joints[j]]) * p
 //   world = model * p, gl_Position = view_projection * world
-// The fragment shader takes by name, at the locations that it declares: world_position (vec3), world_normal (vec3, not normalized),
+// The fragment shader takes by name (of "input.uv" the last part), at the locations that it declares: world_position (vec3), world_normal (vec3, not normalized),
 // world_tangent (vec4, w: handedness), object_position (vec3, before morphing and skinning), object_normal (vec3), uv (vec2), color (vec4).
 // Uniform blocks StandardFrame, StandardObject, StandardSkin, StandardMorph lie in the first set that the fragment shader leaves free.
 #pragma once

@@ -42,7 +42,9 @@ TEST(SpirvInput, PassesThroughUnchangedWhateverTheFileIsCalled) {
     ASSERT_TRUE(shader.ok()) << formatError(shader.error());
     EXPECT_EQ(shader->words, words);
     EXPECT_EQ(shader->stage, ShaderStage::kFragment);
-    EXPECT_TRUE(shader->sources.empty());
+    ASSERT_EQ(shader->sources.size(), 1u) << "the text that the module carries";
+    EXPECT_EQ(shader->sources[0].path, "disc.frag");
+    EXPECT_EQ(shader->sources[0].text.rfind("#version 450\n", 0), 0u) << shader->sources[0].text;
   }
 }
 

@@ -8,6 +8,7 @@
 #include "compiler/source/interface_names.h"
 #include "compiler/source/reflect.h"
 #include "compiler/source/stage_interface.h"
+#include "compiler/source/standard_vertex.h"
 #include "compiler/source/validate.h"
 #include "runtime/base/file.h"
 #include "tests/compiler/analysed_shader.h"
@@ -130,6 +131,10 @@ TEST(InterfaceNames, TellBlocksOfOneTypeApart) {
   EXPECT_EQ(descriptorNames("stripped.spvasm"), (Names{"block_0_1", "block_1_0", "block_1_1", "texture_0_2"}));
 }
 
+TEST(InterfaceNames, StayWithABlockThatTwoStagesOfOneModuleDeclare) {
+  EXPECT_EQ(descriptorNames("two_stages_in_one_module.spvasm"), (Names{"Scene"}));
+}
+
 TEST(InterfaceNames, OfVertexInputsAreThoseOfMeshes) {
   CompiledShader shader = compiled("#version 450\nlayout(location = 0) in vec3 a;\nlayout(location = 1) in vec2 b;\nlayout(location = 2) in vec3 c;\n"
                                    "void main() { gl_Position = vec4(a.xy + b, a.z, c.x); }\n", "a.vert");
@@ -145,6 +150,17 @@ TEST(InterfaceNames, OfVertexInputsAreThoseOfMeshes) {
   EXPECT_EQ(stage.vertex_inputs[0].name, "position");
   EXPECT_EQ(stage.vertex_inputs[1].name, "uv");
   EXPECT_EQ(stage.vertex_inputs[2].name, "normal");
+}
+
+TEST(InterfaceNames, OfSlangsInputsAreKnownToTheStandardVertexShader) {
+  const CompiledShader shader = compileText("struct Input { float3 world_normal : NORMAL; float2 uv : TEXCOORD0; };\n"
+                                            "float4 PSMain(Input input) : SV_Target0 { return float4(input.world_normal, input.uv.x); }\n",
+                                            "test.ps.hlsl", [] { CompileOptions options; options.entry_point = "PSMain"; return options; }()).value();
+  const Result<std::string> text = standardVertexText(shader.words, {});
+  ASSERT_TRUE(text.ok()) << text.error().message;
+  const Result<CompiledShader> vertex = compileText(*text, "standard.vert", {});
+  ASSERT_TRUE(vertex.ok()) << vertex.error().message;
+  EXPECT_TRUE(reflectInterface(vertex->words, shader.words).ok());
 }
 
 TEST(Slang, IsReadThoughTheValidatorDoesNotKnowTheLanguage) {
