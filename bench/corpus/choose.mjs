@@ -1,6 +1,6 @@
 // Chooses the modules of the list: 100 of each kind, by hash, whatever any tool says of them.
 //
-// A family is what one package or one engine wrote. Its candidates come in the order of the hash of their name; the families of a kind take
+// A family is what one package holds of one sort. Its candidates come in the order of the hash of their name; the families of a kind take
 // turns, and none gets more than its cap. Modules of fewer than 25 instructions are left out except among compiler tests, and so are doubles.
 import {compile, sha256} from "./compile.mjs";
 
