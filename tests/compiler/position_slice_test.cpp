@@ -1,6 +1,7 @@
 // What gl_Position reads, found in the text of vertex shaders.
 #include <gtest/gtest.h>
 
+#include "compiler/ir/inline_calls.h"
 #include "compiler/ir/optimize.h"
 #include "compiler/transforms/position_slice.h"
 #include "compiler/transforms/type_size.h"
