@@ -108,13 +108,6 @@ TEST_F(CheckModule, AModuleThatTakesItsProcessDownIsNoFaultOfOurs) {
   EXPECT_NE(verdict.reason.find("test.frag"), std::string::npos) << verdict.reason;
 }
 
-// A channel that is -0 in the one and 0 in the other shows the same.
-TEST_F(CheckModule, NegativeZeroIsZero) {
-  const ModuleVerdict verdict =
-      checkText(std::string(kHead) + "void main() { float wave = sin(place.x * 7.0); color = vec4(wave, -abs(min(wave, 0.0) * 0.0), wave * -0.0, 1.0); }\n");
-  EXPECT_EQ(verdict.verdict, Verdict::kVerified) << verdict.code << ' ' << verdict.reason;
-}
-
 // Where the device ends an endless loop the shader's other loops end with it, on either side as it happens.
 TEST_F(CheckModule, EndlessLoopsAreTheShadersOwnFault) {
   const ModuleVerdict verdict = checkText(std::string(kHead) +
