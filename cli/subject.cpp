@@ -28,7 +28,8 @@ Result<Package> compilePass(const Scenario& scenario, const PassSpec& pass) {
   const std::string& vertex_path = pass.vertex_path.empty() ? scenario.vertex_path : pass.vertex_path;
   REPRISE_ASSIGN(const CompiledShader vertex, vertex_path.empty() ? standardVertex(scenario, fragment)
                                                                   : compileStage(scenario, vertex_path, ShaderStage::kVertex));
-  REPRISE_ASSIGN(const ShaderProgram program, readProgram(vertex, fragment));
+  REPRISE_ASSIGN(ShaderProgram program, readProgram(vertex, fragment));
+  nameVertexInputs(scenario, program.interface);
   VariantOptions as_given;
   as_given.strategy = "original";
   return buildPackage(program, {}, as_given, {});
@@ -86,6 +87,7 @@ Result<Subject> readSubjectUnranked(const std::filesystem::path& scenario_file) 
   REPRISE_ASSIGN(const CompiledShader vertex, scenario.vertex_path.empty() ? standardVertex(scenario, fragment)
                                                                            : compileStage(scenario, scenario.vertex_path, ShaderStage::kVertex));
   REPRISE_ASSIGN(subject.program, readProgram(vertex, fragment));
+  nameVertexInputs(scenario, subject.program.interface);
   REPRISE_ASSIGN(subject.passes, compilePasses(subject.scenario));
   std::vector<ShaderInterface> pass_interfaces;
   for (const Package& pass : subject.passes) pass_interfaces.push_back(pass.interface);

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "cli/check/capabilities.h"
+#include "cli/check/covering_integers.h"
 #include "cli/check/endless_loops.h"
 #include "cli/check/harness_program.h"
 #include "cli/check/interpreted.h"
@@ -21,6 +22,8 @@ namespace reprise {
 namespace {
 
 constexpr int kSeedsTried = 5;
+constexpr std::size_t kAssignmentsTried = 12;      // of integers, for one module
+constexpr std::size_t kAssignmentsPerVariant = 4;  // a variant is played with one in so many
 constexpr std::size_t kCandidatesTried = 4;  // with the first seed that means something; the best one alone with the others
 
 // What stays the same for all looks at one module.
@@ -150,8 +153,7 @@ class ModuleCheck {
 
   // True once the verdict stands.
   Result<bool> tryOne(int attempt) {
-    REPRISE_TRY(player_->setInputs(inputs_));
-    originals_ = std::make_shared<OriginalFrames>([this](bool no_contraction) { return player_->originals(no_contraction); });
+    REPRISE_TRY(useInputs());
     REPRISE_ASSIGN(const bool ended, holdUncached());
     if (ended) return true;
     REPRISE_ASSIGN(const Originals* originals, originals_->get(false));
@@ -176,8 +178,15 @@ class ModuleCheck {
       meaningful += shows ? 1 : 0;
     }
     if (meaningful == 0) return false;
-    conclude(Verdict::kVerified, "", "");
+    REPRISE_TRY(holdOtherIntegers());
+    if (!failed()) conclude(Verdict::kVerified, "", "");
     return true;
+  }
+
+  Result<void> useInputs() {
+    REPRISE_TRY(player_->setInputs(inputs_));
+    originals_ = std::make_shared<OriginalFrames>([this](bool no_contraction) { return player_->originals(no_contraction); });
+    return {};
   }
 
   // Law 0. True if that ends the check.
@@ -260,6 +269,8 @@ class ModuleCheck {
       if (held++ > 0 || !must_show) continue;
       REPRISE_ASSIGN(const bool shows, showsSomething(candidate, strategy.name, frames->moving));
       if (!shows) return false;
+      shown_candidate_ = &candidate;
+      shown_strategy_ = strategy.name;
     }
     return held == 0 ? Result<bool>(last_refusal_) : Result<bool>(true);
   }
@@ -295,7 +306,9 @@ class ModuleCheck {
 
   std::string placeText(const BrokenLaw& broken) const {
     const Violation& violation = broken.violation;
-    return fmt::format("seed {}, frame {}, pixel ({}, {}): expected {}, found {}", inputs_.seed, broken.frame, violation.pixel % inputs_.width,
+    std::string integers;
+    for (const IntegerValue& one : inputs_.integers) integers += (integers.empty() ? ", integers " : " ") + std::to_string(one.value);
+    return fmt::format("seed {}{}, frame {}, pixel ({}, {}): expected {}, found {}", inputs_.seed, integers, broken.frame, violation.pixel % inputs_.width,
                        violation.pixel / inputs_.width, violation.expected, violation.found);
   }
 
@@ -317,6 +330,8 @@ class ModuleCheck {
   int shown_seeds_ = 0;
   Judgement worst_ = Judgement::kEqual;
   std::optional<Unshown> unshown_;
+  const Candidate* shown_candidate_ = nullptr;  // whose cache showed, in this strategy
+  std::string shown_strategy_;
   Error last_refusal_{ErrorKind::kRefused, "strategy.none", "no strategy takes this shader", {}};
 };
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <map>
 #include <unordered_map>
 
@@ -82,12 +81,12 @@ class InputFinder {
     switch (static_cast<StorageClass>(variable.word(0))) {
       case StorageClass::Input:
         if (const auto built_in = decorationOf(module_, id, spv::Decoration::BuiltIn))
-          return intern({InputKind::kBuiltIn, builtInName(*built_in)});
-        return intern({InputKind::kVarying, orId(nameOf(module_, id), id)});
+          return intern({InputKind::kBuiltIn, builtInName(*built_in)}, {id, {}});
+        return intern({InputKind::kVarying, orId(nameOf(module_, id), id)}, {id, {}});
       case StorageClass::Uniform:
-      case StorageClass::PushConstant: return intern({InputKind::kUniform, memberName(variable, member)});
-      case StorageClass::UniformConstant: return intern({InputKind::kTexture, orId(nameOf(module_, id), id)});
-      case StorageClass::StorageBuffer: return intern({InputKind::kBuffer, orId(nameOf(module_, id), id)});
+      case StorageClass::PushConstant: return intern({InputKind::kUniform, memberName(variable, member)}, {id, constantOf(member)});
+      case StorageClass::UniformConstant: return intern({InputKind::kTexture, orId(nameOf(module_, id), id)}, {id, {}});
+      case StorageClass::StorageBuffer: return intern({InputKind::kBuffer, orId(nameOf(module_, id), id)}, {id, {}});
       default: return std::nullopt;
     }
   }
@@ -95,20 +94,27 @@ class InputFinder {
   std::string memberName(const Instruction& variable, std::uint32_t member) {
     const Instruction* pointer = globalOf(variable.type_id);
     const std::uint32_t block = pointer->word(1);
-    std::string name = orId(nameOf(module_, block), variable.result_id);
-    const Instruction* index = globalOf(member);
-    if (index == nullptr || index->opcode != Op::OpConstant) return name;
-    return name + "." + memberNameOf(module_, block, index->word(0));
+    std::string name = nameOf(module_, block);
+    if (name.empty()) name = orId(nameOf(module_, variable.result_id), variable.result_id);
+    const auto index = constantOf(member);
+    return index ? name + "." + memberNameOf(module_, block, *index) : name;
+  }
+
+  std::optional<std::uint32_t> constantOf(std::uint32_t id) const {
+    const Instruction* constant = globalOf(id);
+    if (constant == nullptr || constant->opcode != Op::OpConstant) return std::nullopt;
+    return constant->word(0);
   }
 
   static std::string orId(const std::string& name, std::uint32_t id) {
     return name.empty() ? "%" + std::to_string(id) : name;
   }
 
-  int intern(const InputSource& source) {
+  int intern(const InputSource& source, const InputOrigin& origin) {
     const auto found = std::find(analysis_.inputs.begin(), analysis_.inputs.end(), source);
     if (found != analysis_.inputs.end()) return static_cast<int>(found - analysis_.inputs.begin());
     analysis_.inputs.push_back(source);
+    analysis_.origins.push_back(origin);
     return static_cast<int>(analysis_.inputs.size()) - 1;
   }
 
@@ -269,25 +275,6 @@ std::vector<bool> neededBy(const ValueGraph& graph, const Wanted& wanted) {
   return operands.empty() ? std::vector<bool>(graph.nodes.size(), false) : neededNodes(graph, operands);
 }
 
-int columnOf(const std::string& text, int line, const std::string& name) {
-  std::size_t start = 0;
-  for (int i = 1; i < line; ++i) {
-    start = text.find('\n', start);
-    if (start == std::string::npos) return 0;
-    ++start;
-  }
-  const std::string source_line = text.substr(start, text.find('\n', start) - start);
-  const auto isWord = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
-  if (!name.empty())
-    for (std::size_t at = source_line.find(name); at != std::string::npos; at = source_line.find(name, at + 1)) {
-      const bool begins = at == 0 || !isWord(source_line[at - 1]);
-      const std::size_t end = at + name.size();
-      if (begins && (end >= source_line.size() || !isWord(source_line[end]))) return static_cast<int>(at) + 1;
-    }
-  const std::size_t first = source_line.find_first_not_of(" \t");
-  return first == std::string::npos ? 0 : static_cast<int>(first) + 1;
-}
-
 }  // namespace
 
 const char* nameOf(InputKind kind) {
@@ -325,26 +312,6 @@ ShaderAnalysis analyse(const PreparedShader& shader) {
     analysis.refusal = refused("shader.limit", "the shader reads more than " + std::to_string(kMostInputs) +
                                                    " different inputs; at most so many are told apart");
   return analysis;
-}
-
-Place placeOf(const PreparedShader& shader, const Instruction& instruction, const std::vector<SourceFile>& sources) {
-  LineMark line;
-  std::string name;
-  if (const auto named = shader.named.find(instruction.result_id); named != shader.named.end()) {
-    line = named->second.line;
-    name = named->second.name;
-  } else {
-    line = instruction.line;
-  }
-  Place place;
-  for (const Instruction& source : shader.module.debug_sources)
-    if (source.opcode == Op::OpString && source.result_id == line.file) place.file = stringOf(source.operands[0]);
-  place.line = static_cast<int>(line.line);
-  place.column = static_cast<int>(line.column);
-  if (place.column == 0 && place.line > 0)
-    for (const SourceFile& source : sources)
-      if (source.path == place.file) place.column = columnOf(source.text, place.line, name);
-  return place;
 }
 
 }  // namespace reprise

@@ -24,12 +24,19 @@ struct InputSource {
   bool operator==(const InputSource&) const = default;
 };
 
+// Where an input stands in the prepared module.
+struct InputOrigin {
+  std::uint32_t variable = 0;
+  std::optional<std::uint32_t> member;  // of a uniform block or the push constants; none where all may be read
+};
+
 // Inputs are kept by value, so their number times that of the instructions is memory.
 inline constexpr std::size_t kMostInputs = 1024;
 
 struct ShaderAnalysis {
   ValueGraph graph;
   std::vector<InputSource> inputs;
+  std::vector<InputOrigin> origins;          // by input; of several of one name the first
   std::vector<std::vector<int>> inputs_of;   // by node: ascending indices into `inputs`
   std::vector<bool> live;                    // by node: needed by the shader as it is
   double total_cost = 0;                     // of the live nodes

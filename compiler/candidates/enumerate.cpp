@@ -10,6 +10,7 @@
 #include <spirv-tools/libspirv.h>
 
 #include "compiler/analysis/operation_cost.h"
+#include "compiler/analysis/places.h"
 #include "compiler/candidates/groups.h"
 #include "compiler/candidates/partials.h"
 #include "compiler/candidates/prune.h"
@@ -35,7 +36,7 @@ bool dependsOnPixel(const Candidate& candidate, const ShaderAnalysis& analysis) 
 struct Surroundings {
   const PreparedShader& shader;
   const ShaderAnalysis& analysis;
-  const std::vector<SourceFile>& sources;
+  const PlaceFinder& places;
   const Function& function;
 };
 
@@ -66,7 +67,7 @@ CandidateValue valueAt(std::size_t node_index, const Surroundings& around) {
   value.channels = type.channels;
   value.scalar = type.scalar;
   value.type = type.channels > 0 ? nameOf(type) : "other";
-  value.place = placeOf(around.shader, *node.instruction, around.sources);
+  value.place = around.places.placeOf(*node.instruction);
   return value;
 }
 
@@ -108,9 +109,7 @@ Candidate singleOf(CandidateValue value) {
   return candidate;
 }
 
-void weigh(Candidate& candidate, const Surroundings& around) {
-  const ShaderAnalysis& analysis = around.analysis;
-  const WeighedPayload weighed = weighPayload(analysis, candidate.values);
+void takeWeight(Candidate& candidate, const WeighedPayload& weighed, const ShaderAnalysis& analysis) {
   candidate.saved_cost = weighed.saved_cost;
   candidate.share = analysis.total_cost > 0 ? candidate.saved_cost / analysis.total_cost : 0;
   candidate.slice_cost = weighed.slice_cost;
@@ -119,6 +118,10 @@ void weigh(Candidate& candidate, const Surroundings& around) {
     candidate.dropped = {"tail.derivative",
                          "the rest of the shader takes derivatives of what depends on it, and a neighbouring pixel's payload "
                          "may belong to another surface"};
+}
+
+void weigh(Candidate& candidate, const Surroundings& around) {
+  takeWeight(candidate, weighPayload(around.analysis, candidate.values), around.analysis);
 }
 
 // Weighing a value visits the whole shader. Of more than `most` values that may be candidates those with names are kept, then
@@ -155,10 +158,11 @@ std::vector<Candidate> singleCandidates(const Surroundings& around) {
     candidates.push_back(std::move(candidate));
   }
   dropBeyond(kMostWeighed, candidates);
+  const NeedDominators dominators(analysis.graph);
   for (Candidate& candidate : candidates) {
     if (!candidate.kept()) continue;
     assignChannels(candidate, around);
-    weigh(candidate, around);
+    takeWeight(candidate, weighSingle(analysis, dominators, candidate.values.front()), analysis);
   }
   return candidates;
 }
@@ -259,7 +263,8 @@ void makeIdsUnique(std::vector<Candidate>& candidates) {
 
 std::vector<Candidate> enumerateCandidates(const PreparedShader& shader, const ShaderAnalysis& analysis,
                                            const std::vector<SourceFile>& sources, const CandidateOptions& options) {
-  const Surroundings around{shader, analysis, sources, *findFunction(shader.module, shader.entry_function)};
+  const PlaceFinder places(shader, sources);
+  const Surroundings around{shader, analysis, places, *findFunction(shader.module, shader.entry_function)};
   std::vector<Candidate> candidates = singleCandidates(around);
   if (!analysis.refusal) {
     GroupOptions grouping;
@@ -296,7 +301,8 @@ std::vector<int> inputsOf(const WantedValue& wanted, const ShaderAnalysis& analy
 
 Candidate candidateOf(const PreparedShader& shader, const ShaderAnalysis& analysis, const std::vector<SourceFile>& sources,
                       const std::vector<WantedValue>& wanted) {
-  const Surroundings around{shader, analysis, sources, *findFunction(shader.module, shader.entry_function)};
+  const PlaceFinder places(shader, sources);
+  const Surroundings around{shader, analysis, places, *findFunction(shader.module, shader.entry_function)};
   Candidate candidate;
   std::set<int> inputs;
   for (const WantedValue& one : wanted) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "compiler/analysis/places.h"
 #include "compiler/candidates/value_hashes.h"
 #include "runtime/base/hash.h"
 
@@ -96,7 +97,7 @@ IdentifiedValue identify(const ShaderAnalysis& analysis, const Hashes& hashes, c
 class PayloadFinder {
  public:
   PayloadFinder(const PreparedShader& shader, const ShaderAnalysis& analysis, const std::vector<SourceFile>& sources)
-      : shader_(shader), analysis_(analysis), sources_(sources),
+      : shader_(shader), analysis_(analysis), places_(shader, sources),
         hashes_{hashValues(shader, analysis), hashValues(shader, analysis, false)} {}
 
   Result<WantedValue> find(const IdentifiedValue& wanted) const {
@@ -111,7 +112,7 @@ class PayloadFinder {
     return named == shader_.named.end() ? "" : named->second.name;
   }
 
-  int lineAt(std::size_t node) const { return placeOf(shader_, *analysis_.graph.nodes[node].instruction, {}).line; }
+  int lineAt(std::size_t node) const { return places_.placeOf(*analysis_.graph.nodes[node].instruction).line; }
 
   // Values of one structure are equal; the hints only tell which of them the payload was.
   std::optional<WantedValue> findValue(const IdentifiedValue& wanted) const {
@@ -174,7 +175,7 @@ class PayloadFinder {
     const std::optional<std::size_t> successor = successorOf(wanted);
     if (!successor)
       return {ErrorKind::kInput, "choice.stale", "the payload " + title + " is no longer in the shader" + advice, {wanted.file, 0, 0}};
-    const Place place = placeOf(shader_, *analysis_.graph.nodes[*successor].instruction, sources_);
+    const Place place = places_.placeOf(*analysis_.graph.nodes[*successor].instruction);
     return {ErrorKind::kInput, "choice.stale", "the payload " + title + " has changed since it was chosen: " + changes(wanted, *successor) + advice,
             place};
   }
@@ -201,7 +202,7 @@ class PayloadFinder {
 
   const PreparedShader& shader_;
   const ShaderAnalysis& analysis_;
-  const std::vector<SourceFile>& sources_;
+  PlaceFinder places_;
   Hashes hashes_;
 };
 

@@ -67,6 +67,32 @@ bool isAlwaysRun(const ControlFlow& flow, const Function& function, int block) {
   return true;
 }
 
+WeighedPayload weighSingle(const ShaderAnalysis& analysis, const NeedDominators& dominators, const CandidateValue& value) {
+  REPRISE_CHECK(!value.regrouping && analysis.live[static_cast<std::size_t>(value.node)], value.node);
+  const ValueGraph& graph = analysis.graph;
+  std::vector<int> deciding;
+  if (value.guard_channel != kNoGuard) addBranches(graph, graph.nodes[static_cast<std::size_t>(value.node)].block, deciding);
+  std::vector<bool> decides(graph.nodes.size(), false);
+  if (!deciding.empty()) decides = neededNodes(graph, deciding);
+  const std::vector<bool> slice = neededNodes(graph, {value.node});
+  const auto isLeft = [&](std::size_t node) { return decides[node] || !dominators.isThrough(value.node, static_cast<int>(node)); };
+  WeighedPayload weighed;
+  weighed.slice_cost = costOf(graph, slice);
+  weighed.saved_cost = dominators.costThrough(value.node);
+  for (std::size_t i = 0; !deciding.empty() && i < decides.size(); ++i)
+    if (decides[i] && analysis.live[i] && dominators.isThrough(value.node, static_cast<int>(i))) weighed.saved_cost -= graph.nodes[i].cost;
+  weighed.saved_cost = std::max(0.0, weighed.saved_cost);
+  if (!analysis.takes_derivatives) return weighed;
+  const bool differentiated = analysis.differentiated[static_cast<std::size_t>(value.node)];
+  const std::vector<bool> depends = differentiated ? dependentNodes(graph, {value.node}) : std::vector<bool>(slice.size(), false);
+  for (std::size_t i = 0; i < slice.size(); ++i) {
+    if (!takesImplicitDerivative(graph.nodes[i].instruction->opcode)) continue;
+    weighed.slice_takes_derivatives |= slice[i];
+    weighed.tail_takes_derivatives |= depends[i] && analysis.live[i] && isLeft(i);
+  }
+  return weighed;
+}
+
 WeighedPayload weighPayload(const ShaderAnalysis& analysis, const std::vector<CandidateValue>& values) {
   const ValueGraph& graph = analysis.graph;
   std::vector<int> cuts, sliced, left, deciding;

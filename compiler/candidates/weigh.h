@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "compiler/candidates/enumerate.h"
+#include "compiler/candidates/need_dominators.h"
 
 namespace reprise {
 
@@ -17,6 +18,9 @@ struct WeighedPayload {
 
 // Values that a payload's regroupings leave to the tail are needed by it, and so is what decides whether guarded values are.
 WeighedPayload weighPayload(const ShaderAnalysis& analysis, const std::vector<CandidateValue>& values);
+
+// The same for one value that the shader needs, whole, with the dominators of analysis.graph: what takes one look at the shader less for each.
+WeighedPayload weighSingle(const ShaderAnalysis& analysis, const NeedDominators& dominators, const CandidateValue& value);
 
 // Whether every path from the entry to a normal end runs through the block.
 bool isAlwaysRun(const ControlFlow& flow, const Function& function, int block);

@@ -20,6 +20,8 @@ std::optional<ScalarKind> scalarOf(spirv_cross::SPIRType::BaseType type) {
   }
 }
 
+constexpr std::uint32_t kUnsizedElements = 16;
+
 class Flattener {
  public:
   Flattener(const spirv_cross::Compiler& compiler, const std::string& block, const ReflectOptions& options)
@@ -56,9 +58,8 @@ class Flattener {
   // The outermost dimension of the array is array.back(); its element type is the parent type.
   Result<void> addArray(std::uint32_t type_id, const BlockMember& member) {
     const spirv_cross::SPIRType& type = compiler_.get_type(type_id);
-    const std::uint32_t length = type.array_size_literal.back()
-                                     ? type.array.back()
-                                     : compiler_.get_constant(type.array.back()).scalar();
+    std::uint32_t length = type.array_size_literal.back() ? type.array.back() : compiler_.get_constant(type.array.back()).scalar();
+    if (length == 0 && options_.skip_unknown_members) length = kUnsizedElements;
     if (length == 0) return refuse(member, "is an array without a size");
     const std::uint32_t stride = compiler_.get_decoration(type_id, spv::DecorationArrayStride);
     const spirv_cross::SPIRType& element = compiler_.get_type(type.parent_type);

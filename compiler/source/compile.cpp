@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "compiler/source/glsl.h"
+#include "compiler/source/interface_names.h"
 #include "compiler/source/module_limits.h"
 #include "compiler/source/spirv_input.h"
 #include "compiler/source/validate.h"
@@ -105,6 +106,7 @@ Result<CompiledShader> compileGlsl(std::string_view text, const std::string& nam
                  "glslang made SPIR-V that the validator rejects: " + valid.error().message,
                  {name, 0, 0}};
   }
+  if (extensionOf(name) == ".hlsl") shader->words = withInterfaceNames(shader->words);
   return shader;
 }
 

@@ -5,7 +5,7 @@
 // front end: bindings are those of [[vk::binding]], else register numbers, where textures start at 16, samplers at 32 and storage
 // at 48, else the next free ones; SV_TargetN is location N. SPIR-V binaries are known by their magic number,
 // whatever the file is called, and pass through unchanged after validation, but for this: of several entry
-// points the wanted one is kept, and called main; text of the SPIR-V assembler is
+// points the wanted one is kept, and called main; instructions for debuggers alone are dropped (debug_instructions.h); and what has no name gets one (interface_names.h). Text of the SPIR-V assembler is
 // known by the suffix .spvasm. All SPIR-V that leaves here has passed the validator.
 //
 // `#include "file"` and `#include <file>` work with and without GL_GOOGLE_include_directive. The quoted form
@@ -58,7 +58,7 @@ struct CompiledShader {
   std::vector<std::uint32_t> words;
   std::string main_path;  // as given
   std::vector<std::string> dependencies;  // included files by first inclusion, each once; without main_path
-  std::vector<SourceFile> sources;        // main_path and the dependencies; empty for SPIR-V binaries
+  std::vector<SourceFile> sources;        // main_path and the dependencies; of SPIR-V what it carries (embedded_sources.h)
 };
 
 // Reads and compiles a file; "-" is standard input. Errors, kInput where not said otherwise, with the place

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compiler/source/stage_interface.h"
+#include "runtime/package/interface_queries.h"
 
 namespace reprise {
 namespace {
@@ -16,6 +17,7 @@ layout(set = HARNESS_SET, binding = 0, std140) uniform HarnessScene {
   mat4 view_projection;
   mat4 model;
   uvec4 seed;
+  uvec4 given[32];
 } harness;
 
 // In [-1, 1], from the seed and a number.
@@ -42,7 +44,16 @@ float wave(uint number) {
   return harness.seed.w == 2u ? value * 4.0 : harness.seed.w == 3u ? 0.5 + 0.5 * value : value;
 }
 
-uint whole(uint number) { return uint(2.0 + 2.0 * clamp(smoothValue(number), -0.99, 0.99)); }
+uint whole(uint number) {
+  uint given = number < 128u ? harness.given[number / 4u][number % 4u] : 0xffffffffu;
+  return given != 0xffffffffu ? given : uint(2.0 + 2.0 * clamp(smoothValue(number), -0.99, 0.99));
+}
+
+// The same in the whole draw, as indices into arrays of descriptors have to be, and within the shortest of them.
+uint wholeIndex(uint number) {
+  uint given = number < 128u ? harness.given[number / 4u][number % 4u] : 0xffffffffu;
+  return (given != 0xffffffffu ? given : harness.seed.y + number) % INDEX_LIMIT;
+}
 
 )";
 
@@ -65,6 +76,9 @@ Result<std::string> harnessVertexText(std::span<const std::uint32_t> fragment_wo
   for (const Descriptor& descriptor : fragment.descriptors) set = std::max(set, descriptor.set + 1);
   std::string text = kHead, body;
   text.replace(text.find("HARNESS_SET"), 11, std::to_string(set));
+  const std::optional<std::uint32_t> array = shortestDescriptorArray(fragment.descriptors);
+  text.replace(text.find("INDEX_LIMIT"), 11, std::to_string(array.value_or(1)) + "u");
+  const std::string integer = array ? "wholeIndex(" : "whole(";
   for (const StageSlot& slot : fragment.inputs) {
     if (slot.type.find(' ') != std::string::npos)
       return Error{ErrorKind::kInput, "source.unsupported", "the varying \"" + slot.name + "\" is of a type that no vertex shader writes", {}};
@@ -72,7 +86,7 @@ Result<std::string> harnessVertexText(std::span<const std::uint32_t> fragment_wo
     std::string values;
     for (int component = 0; component < componentsOf(slot.type); ++component) {
       const std::string number = std::to_string(slot.location * 4 + slot.component + static_cast<std::uint32_t>(component)) + "u";
-      values += (component > 0 ? ", " : "") + std::string(isInteger(slot.type) ? "whole(" : "wave(") + number + ")";
+      values += (component > 0 ? ", " : "") + (isInteger(slot.type) ? integer : "wave(") + number + ")";
     }
     // Integers are flat whether the fragment shader says so or not; for others its word counts.
     text += "layout(location = " + std::to_string(slot.location) + ", component = " + std::to_string(slot.component) + ") " +

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "compiler/source/stage_interface.h"
+#include "runtime/package/interface_queries.h"
 
 namespace reprise {
 namespace {
@@ -94,6 +95,17 @@ std::optional<Descriptor> joinHalves(const Descriptor& one, const Descriptor& ot
   return joined;
 }
 
+std::string quoted(const Descriptor& descriptor) { return "the " + kindText(descriptor.kind) + " \"" + descriptor.name + "\""; }
+
+// HLSL numbers registers b, t, s and u each from 0, and they meet where nobody shifts them.
+Error collision(const Descriptor& one, const Descriptor& other) {
+  return {ErrorKind::kInput, "source.binding",
+          quoted(one) + " and " + quoted(other) + " of " + stageText(one.stages & other.stages) + " are both at set " + std::to_string(one.set) + " binding " +
+              std::to_string(one.binding) + "; give each a binding of its own: layout(binding = N) in GLSL, [[vk::binding(N, set)]] in HLSL and Slang, or "
+              "-fvk-b-shift, -fvk-t-shift, -fvk-s-shift and -fvk-u-shift of dxc and slangc",
+          {}};
+}
+
 // Merges `other` into `descriptor`, which has the same set and binding.
 Result<void> mergeDescriptor(Descriptor& descriptor, const Descriptor& other, const ReflectOptions& options) {
   if (const std::optional<Descriptor> joined = joinHalves(descriptor, other)) {
@@ -106,12 +118,14 @@ Result<void> mergeDescriptor(Descriptor& descriptor, const Descriptor& other, co
     descriptor.count = count;
     return {};
   }
+  if ((descriptor.stages & other.stages) != 0 && !options.any_bindings) return collision(descriptor, other);
   const bool longer = descriptor.members.size() < other.members.size();
   const bool members_agree =
       longer ? isPrefix(descriptor.members, other.members) : isPrefix(other.members, descriptor.members);
   const bool agree = descriptor.kind == other.kind && descriptor.dimension == other.dimension &&
                      descriptor.count == other.count && members_agree;
   if (!agree) {
+    if ((descriptor.stages & other.stages) != 0) return collision(descriptor, other);
     return interfaceError("set " + std::to_string(descriptor.set) + " binding " +
                           std::to_string(descriptor.binding) + " is the " + kindText(descriptor.kind) +
                           " \"" + descriptor.name + "\" in " + stageText(descriptor.stages) + " and the " +
@@ -150,13 +164,6 @@ Result<std::vector<Descriptor>> mergeDescriptors(const StageInterface& vertex,
     }
   }
   return merged;
-}
-
-std::uint32_t endOf(const BlockMember& member) {
-  const int vectors = member.row_major ? member.rows : member.columns;
-  const std::uint32_t one = member.columns == 1 ? 4u * static_cast<std::uint32_t>(member.rows)
-                                                : member.matrix_stride * static_cast<std::uint32_t>(vectors);
-  return member.offset + (member.array_length == 0 ? one : member.array_stride * member.array_length);
 }
 
 Result<void> mergePushConstants(const StageInterface& vertex, const StageInterface& fragment,

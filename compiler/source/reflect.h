@@ -18,7 +18,7 @@
 namespace reprise {
 
 struct ReflectOptions {
-  // Members that interface.h cannot describe (64 bits, unsized arrays) are left out instead of being an error.
+  // Members that interface.h cannot describe (64 bits) are left out instead of being an error; arrays without a size have 16 elements.
   bool skip_unknown_members = false;
   // Descriptor arrays without a size count as 16, arrays of arrays as one array.
   bool any_arrays = false;
@@ -30,6 +30,7 @@ struct ReflectOptions {
 // Both modules must have passed the validator and have one entry point of their stage. Errors (kInput):
 //   source.interface    a fragment input without a vertex output of the same location, component and type, or
 //                       a binding or push constant that the stages declare differently; says both
+//   source.binding      two descriptors of one stage at one binding, that are not an image and its sampler; says both names
 //   source.unsupported  what interface.h cannot describe: unsized or multi-dimensional descriptor arrays, input
 //                       attachments, 16- and 64-bit members, matrix or 64-bit vertex inputs
 //   source.stage        a module without an entry point of its stage

@@ -5,6 +5,9 @@
 #include <spirv/unified1/spirv.hpp11>
 #include <utility>
 
+#include "compiler/source/debug_instructions.h"
+#include "compiler/source/embedded_sources.h"
+#include "compiler/source/interface_names.h"
 #include "compiler/source/module_limits.h"
 #include "compiler/source/validate.h"
 
@@ -13,6 +16,7 @@ namespace {
 
 constexpr std::size_t kHeaderWords = 5;
 constexpr std::uint32_t kSwappedMagic = 0x03022307;
+constexpr auto kNewestLanguage = static_cast<std::uint32_t>(spv::SourceLanguage::HLSL);
 
 std::uint32_t swapped(std::uint32_t word) {
   return (word >> 24) | ((word >> 8) & 0xff00u) | ((word << 8) & 0xff0000u) | (word << 24);
@@ -159,6 +163,13 @@ std::vector<std::uint32_t> withOnlyEntry(const std::vector<std::uint32_t>& words
   return result;
 }
 
+// SPIRV-Tools rejects source languages that are younger than it, Slang's for one. They mean nothing to a module.
+void forgetUnknownLanguages(std::vector<std::uint32_t>& words) {
+  for (std::size_t at = kHeaderWords; at < words.size(); at += words[at] >> 16)
+    if (static_cast<spv::Op>(words[at] & 0xffffu) == spv::Op::OpSource && words[at] >> 16 > 1 && words[at + 1] > kNewestLanguage)
+      words[at + 1] = static_cast<std::uint32_t>(spv::SourceLanguage::Unknown);
+}
+
 }  // namespace
 
 bool looksLikeSpirv(std::string_view bytes) {
@@ -185,6 +196,9 @@ Result<CompiledShader> readSpirv(std::string_view bytes, const std::string& name
     for (std::uint32_t& word : shader.words) word = swapped(word);
   }
   REPRISE_ASSIGN(const std::vector<FoundEntry> entries, walk(shader.words, name));
+  forgetUnknownLanguages(shader.words);
+  shader.sources = embeddedSources(shader.words);
+  shader.words = withoutDebugInstructions(shader.words);
   if (const Result<void> small = checkModuleLimits(shader.words); !small) {
     Error error = small.error();
     error.place.file = name;
@@ -200,6 +214,7 @@ Result<CompiledShader> readSpirv(std::string_view bytes, const std::string& name
   REPRISE_ASSIGN(const FoundEntry entry, chooseEntry(entries, name, options));
   shader.stage = entry.model == spv::ExecutionModel::Vertex ? ShaderStage::kVertex : ShaderStage::kFragment;
   if (entries.size() > 1 || entry.name != "main") shader.words = withOnlyEntry(shader.words, entry);
+  shader.words = withInterfaceNames(shader.words);
   return shader;
 }
 

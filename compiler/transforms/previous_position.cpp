@@ -127,7 +127,7 @@ Result<Module> usePreviousInputs(const Module& module, std::uint32_t clone, std:
     const std::uint32_t id = global.result_id;
     const auto storage = static_cast<StorageClass>(global.word(0));
     const std::uint32_t block = pointeeOf(module, global);
-    const std::string name = nameOf(module, block);
+    const std::string of_type = nameOf(module, block), name = of_type.empty() ? nameOf(module, id) : of_type;
     if (storage == StorageClass::PushConstant) {
       const std::uint32_t previous = addDrawBlock(result, block, reprise_set);
       REPRISE_ASSIGN(result, redirectVariable(result, {clone, id, previous, {1}, {}}));

@@ -1,6 +1,7 @@
 #include "profiler/harness/harness.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 #include <glm/ext/matrix_clip_space.hpp>
@@ -16,13 +17,16 @@ namespace {
 
 constexpr const char* kSceneBlock = "HarnessScene";
 constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT_S8_UINT;
-constexpr VkDeviceSize kSlotBytes = 256;
+constexpr std::size_t kGivenIntegers = 128;  // of varyings: location x 4 + component
+constexpr VkDeviceSize kSlotBytes = 1024;
 
 // The block of compiler/source/harness_vertex.h.
 struct SceneBlock {
   glm::mat4 view_projection, model;
   glm::uvec4 seed;
+  std::array<std::uint32_t, kGivenIntegers> given;
 };
+static_assert(sizeof(SceneBlock) <= kSlotBytes);
 
 std::vector<MeshSpec> meshes() {
   MeshSpec ball, knot, floor;
@@ -47,6 +51,11 @@ SceneBlock sceneAt(int frame, std::size_t object, const HarnessOptions& options)
   if (object == 1) block.model = glm::rotate(glm::translate(block.model, glm::vec3(0.3f, 0.2f, -0.2f)), 0.02f * time, glm::vec3(0, 1, 0));
   if (object == 2) block.model = glm::translate(block.model, glm::vec3(0, -0.9f, 0));
   block.seed = glm::uvec4(seed * 0x9e3779b9u + 1, seed, std::bit_cast<std::uint32_t>(options.varying_nudge), (seed - 1) % 4);
+  block.given.fill(MadeUpValues::kAnyInteger);
+  for (const IntegerValue& one : options.integers) {
+    const std::size_t at = one.input.location * 4 + one.input.component;
+    if (one.input.kind == IntegerInput::Kind::kVarying && at < kGivenIntegers) block.given[at] = one.value;
+  }
   return block;
 }
 
@@ -109,8 +118,8 @@ Result<Harness> Harness::create(const Context& context, Commands& commands, cons
                                   [](const Descriptor& descriptor) { return descriptor.name == kSceneBlock; });
   REPRISE_CHECK(scene != interface.descriptors.end(), interface.descriptors.size());
   state->scene = &*scene;
-  MadeUpValues values(options.seed);
-  REPRISE_ASSIGN(state->descriptors, makeUpDescriptors(context, commands, interface, state->scene, values));
+  MadeUpValues values(options.seed, integerLimit(interface));
+  REPRISE_ASSIGN(state->descriptors, makeUpDescriptors(context, commands, interface, state->scene, options.integers, values));
   for (const MeshSpec& spec : meshes()) {
     REPRISE_ASSIGN(DrawnMesh drawn, upload(context.view(), spec));
     state->meshes.push_back(std::move(drawn));
@@ -130,6 +139,7 @@ Result<Harness> Harness::create(const Context& context, Commands& commands, cons
     push_bytes = std::max<std::size_t>(push_bytes, range.offset + range.size_bytes);
   }
   state->first_push_constants = madeUpBlock(interface.push_constant_members, push_bytes, values);
+  putPushedIntegers(options.integers, integerLimit(interface), state->first_push_constants);
   state->readback = std::make_unique<Readback>(context);
   REPRISE_TRY(state->createTargets());
   return Harness(std::move(state));

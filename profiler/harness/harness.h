@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "profiler/harness/integer_inputs.h"
 #include "runtime/package/package.h"
 #include "runtime/playback/player.h"
 #include "runtime/vulkan/commands.h"
@@ -20,6 +21,7 @@ struct HarnessOptions {
   std::uint32_t seed = 1;
   std::uint32_t width = 64, height = 64;
   float varying_nudge = 0;  // every float varying is larger by this share of itself
+  IntegerAssignment integers;  // in place of made-up ones
 };
 
 struct HarnessFrame {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "runtime/package/interface_queries.h"
 #include "runtime/playback/formats.h"
 
 namespace reprise {
@@ -14,8 +15,9 @@ constexpr std::uint32_t kMostDescriptors = 4096;  // of one array
 
 class DescriptorMaker {
  public:
-  DescriptorMaker(const Context& context, Commands& commands, const ShaderInterface& interface, const Descriptor* own, MadeUpValues& values)
-      : context_(context), device_(context.view()), commands_(commands), interface_(interface), own_(own), values_(values) {}
+  DescriptorMaker(const Context& context, Commands& commands, const ShaderInterface& interface, const Descriptor* own, const IntegerAssignment& given,
+                  MadeUpValues& values)
+      : context_(context), device_(context.view()), commands_(commands), interface_(interface), own_(own), given_(given), values_(values) {}
 
   Result<MadeUpDescriptors> make() {
     for (const Descriptor& descriptor : interface_.descriptors)
@@ -109,8 +111,10 @@ class DescriptorMaker {
 
   Result<VkBuffer> block(const Descriptor& descriptor) {
     const bool stores = descriptor.kind == DescriptorKind::kStorageBlock;
-    const std::size_t size = std::max<std::size_t>(descriptor.size_bytes, 16) + (stores ? kUnsizedArrayBytes : 0);
-    const std::vector<std::byte> bytes = madeUpBlock(descriptor.members, size, values_);
+    std::size_t size = std::max<std::size_t>(descriptor.size_bytes, 16) + (stores ? kUnsizedArrayBytes : 0);
+    for (const BlockMember& member : descriptor.members) size = std::max<std::size_t>(size, (endOf(member) + 15) / 16 * 16);
+    std::vector<std::byte> bytes = madeUpBlock(descriptor.members, size, values_);
+    putIntegers(given_, descriptor, integerLimit(interface_), bytes);
     REPRISE_ASSIGN(Buffer made, createBuffer(device_, size, stores ? VK_BUFFER_USAGE_STORAGE_BUFFER_BIT : VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT));
     std::memcpy(made.mapped.data(), bytes.data(), size);
     made_.buffers.push_back(std::move(made));
@@ -173,6 +177,7 @@ class DescriptorMaker {
   Commands& commands_;
   const ShaderInterface& interface_;
   const Descriptor* own_;
+  const IntegerAssignment& given_;
   MadeUpValues& values_;
   MadeUpDescriptors made_;
 };
@@ -180,8 +185,8 @@ class DescriptorMaker {
 }  // namespace
 
 Result<MadeUpDescriptors> makeUpDescriptors(const Context& context, Commands& commands, const ShaderInterface& interface,
-                                            const Descriptor* own, MadeUpValues& values) {
-  return DescriptorMaker(context, commands, interface, own, values).make();
+                                            const Descriptor* own, const IntegerAssignment& given, MadeUpValues& values) {
+  return DescriptorMaker(context, commands, interface, own, given, values).make();
 }
 
 void moveBlocks(MadeUpDescriptors& descriptors, int frame) {

@@ -4,6 +4,7 @@
 #include <deque>
 #include <vector>
 
+#include "profiler/harness/integer_inputs.h"
 #include "profiler/harness/made_up_images.h"
 #include "runtime/vulkan/buffer.h"
 
@@ -27,10 +28,10 @@ struct MadeUpDescriptors {
   std::vector<Handle<VkSampler>> samplers;
 };
 
-// `own`: the descriptor that the caller writes by itself, a uniform buffer of one dynamic offset. Errors: harness.unsupported
+// Integers that `given` names are as it says. `own`: the descriptor that the caller writes by itself, a uniform buffer of one dynamic offset. Errors: harness.unsupported
 // (kInput), device.*.
 Result<MadeUpDescriptors> makeUpDescriptors(const Context& context, Commands& commands, const ShaderInterface& interface,
-                                            const Descriptor* own, MadeUpValues& values);
+                                            const Descriptor* own, const IntegerAssignment& given, MadeUpValues& values);
 
 // Writes what the uniform blocks hold at a frame. No draw that reads them may be in flight.
 void moveBlocks(MadeUpDescriptors& descriptors, int frame);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "runtime/package/interface_queries.h"
+
 namespace reprise {
 namespace {
 
@@ -52,7 +54,11 @@ float MadeUpValues::number() {
 
 std::uint32_t MadeUpValues::whole() {
   constexpr std::uint32_t kCount[] = {4, 2, 8, 16};
-  return below(kCount[static_cast<std::size_t>(style_)]);
+  return below(std::min(kCount[static_cast<std::size_t>(style_)], below_));
+}
+
+std::uint32_t integerLimit(const ShaderInterface& interface) {
+  return shortestDescriptorArray(interface.descriptors).value_or(MadeUpValues::kAnyInteger);
 }
 
 std::vector<std::byte> madeUpBlock(const std::vector<BlockMember>& members, std::size_t size_bytes, MadeUpValues& values) {

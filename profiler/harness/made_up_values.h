@@ -19,7 +19,9 @@ MadeUpStyle styleOf(std::uint32_t seed);
 // A sequence of pseudo-random numbers; the same for the same seed.
 class MadeUpValues {
  public:
-  explicit MadeUpValues(std::uint32_t seed) : state_(seed * 0x9e3779b9u + 0x7f4a7c15u), style_(styleOf(seed)) {}
+  // Integers stay below `below`, which is at least 1: they may be indices into what has no more elements.
+  explicit MadeUpValues(std::uint32_t seed, std::uint32_t below = kAnyInteger)
+      : state_(seed * 0x9e3779b9u + 0x7f4a7c15u), style_(styleOf(seed)), below_(below) {}
   MadeUpStyle style() const { return style_; }
   std::uint32_t bits();
   float fraction();             // [0, 1)
@@ -27,10 +29,16 @@ class MadeUpValues {
   float number();               // in the style's range
   std::uint32_t whole();        // in the style's range
 
+  static constexpr std::uint32_t kAnyInteger = 0xffffffffu;
+
  private:
   std::uint32_t state_;
   MadeUpStyle style_;
+  std::uint32_t below_;
 };
+
+// Made-up integers may index arrays of descriptors, whose elements alone are there: all stay below the length of the shortest.
+std::uint32_t integerLimit(const ShaderInterface& interface);
 
 // `size_bytes` of a block: members by their type, what no member tells as floats.
 std::vector<std::byte> madeUpBlock(const std::vector<BlockMember>& members, std::size_t size_bytes, MadeUpValues& values);

@@ -159,7 +159,7 @@ void checkUniforms(const Scenario& scenario, const Interfaces& interfaces, Diagn
     if (!bound) {
       diagnostics.add(
           "unbound",
-          "nobody binds the uniform '" + name + "', expected a line \"" + name + "\" = ... in [uniforms]",
+          "nobody binds the uniform '" + name + "' (" + shapeText(member.shape) + " at byte " + std::to_string(member.shape.offset) + "), expected a line \"" + name + "\" = ... in [uniforms]",
           scenario.uniforms_place);
     }
   }
@@ -231,13 +231,28 @@ void checkVertexInputs(const Scenario& scenario, const ShaderInterface& interfac
           "vertex_input",
           "the meshes have no vertex input '" + input.name + "'" + suggestNames(input.name, known) +
               (nearNames(input.name, known).empty() ? ""
-                                                    : " (there are position, normal, tangent, uv, color)"),
+                                                    : " (there are position, normal, tangent, uv, color)") +
+              "; or say in [shader] what it takes (it is at location " + std::to_string(input.location) + "): vertex_inputs = { \"" + input.name +
+              "\" = \"position\" }",
           place);
     } else if (input.scalar != ScalarKind::kFloat) {
       diagnostics.add("vertex_input",
                       "the vertex input '" + input.name + "' has integers, but the meshes have floats",
                       place);
     }
+  }
+}
+
+// A name of 'vertex_inputs' that no shader has is still there: nothing was renamed by it.
+void checkNamedInputs(const Scenario& scenario, const Interfaces& interfaces, Diagnostics& diagnostics) {
+  for (const auto& [name, taken] : scenario.vertex_inputs) {
+    const bool used = std::any_of(interfaces.begin(), interfaces.end(), [&, &taken = taken](const ShaderInterface* interface) {
+      const auto& inputs = interface->vertex_inputs;
+      return std::any_of(inputs.begin(), inputs.end(), [&](const VertexInput& input) { return input.name == taken; });
+    });
+    if (!used)
+      diagnostics.add("vertex_input", "'vertex_inputs' of [shader] calls '" + name + "' '" + taken + "', but the vertex shader reads no '" + name + "'",
+                      {scenario.path, 0, 0});
   }
 }
 
@@ -267,6 +282,13 @@ void checkOutputs(const Scenario& scenario, const ShaderInterface& interface, Di
 
 }  // namespace
 
+void nameVertexInputs(const Scenario& scenario, ShaderInterface& interface) {
+  for (VertexInput& input : interface.vertex_inputs) {
+    const auto named = std::find_if(scenario.vertex_inputs.begin(), scenario.vertex_inputs.end(), [&](const auto& one) { return one.first == input.name; });
+    if (named != scenario.vertex_inputs.end()) input.name = named->second;
+  }
+}
+
 Result<void> checkBindings(const Scenario& scenario, const ShaderInterface& interface, std::span<const ShaderInterface> passes) {
   Diagnostics diagnostics;
   Interfaces interfaces = {&interface};
@@ -276,6 +298,7 @@ Result<void> checkBindings(const Scenario& scenario, const ShaderInterface& inte
   checkPasses(scenario, interface, passes, diagnostics);
   checkTextures(scenario, interfaces, diagnostics);
   for (const ShaderInterface* each : interfaces) checkVertexInputs(scenario, *each, diagnostics);
+  checkNamedInputs(scenario, interfaces, diagnostics);
   checkOutputs(scenario, interface, diagnostics);
   if (diagnostics.errors.empty()) return {};
   return mergeErrors(diagnostics);

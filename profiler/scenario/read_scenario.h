@@ -19,8 +19,12 @@ Result<Scenario> readScenario(const std::filesystem::path& path);
 // TOML text that reads back to the same Scenario (law 6), paths made relative to `directory` where they lie below it.
 std::string writeScenario(const Scenario& scenario, const std::filesystem::path& directory);
 
+// Calls the vertex inputs as 'vertex_inputs' of [shader] says; what it does not name keeps its name. Names there that the shader lacks are
+// told by checkBindings.
+void nameVertexInputs(const Scenario& scenario, ShaderInterface& interface);
+
 // Holds the bindings against the shaders: every uniform-block and push-constant member bound exactly once and of a fitting
-// size, every texture given, every vertex input one of position, normal, tangent, uv, color. Errors (kInput, with place):
+// size, every texture given, every vertex input one of position, normal, tangent, uv, color (after nameVertexInputs). Errors (kInput, with place):
 // scenario.unbound (nobody binds it), scenario.unknown_uniform, scenario.unknown_texture (the shader lacks it; near names),
 // scenario.vertex_input, scenario.outputs (colour formats and outputs differ in number), scenario.unsupported, scenario.pass_order
 // (a pass reads a texture before that is rendered). passes: the interface of each G-buffer pass, by pass.

@@ -53,6 +53,16 @@ void readDefines(const TomlNode& node, Scenario& scenario, Diagnostics& diagnost
   }
 }
 
+void readVertexInputs(const TomlNode& node, Scenario& scenario, Diagnostics& diagnostics) {
+  TableReader reader(node, "'vertex_inputs' of [shader]", diagnostics);
+  for (const Entry& entry : node.entries) {
+    if (entry.value.kind != NodeKind::kText)
+      diagnostics.add("type", "vertex input '" + entry.key + "' is " + describeNode(entry.value) + ", expected what meshes call it, such as \"position\"",
+                      entry.value.place);
+    scenario.vertex_inputs.emplace_back(entry.key, entry.value.text);
+  }
+}
+
 void readPeriods(TableReader& reader, std::vector<std::uint32_t>& periods) {
   const TomlNode* node = reader.find("periods");
   if (!node) return;
@@ -263,6 +273,7 @@ void readShader(const TomlNode& node, const fs::path& directory, Scenario& scena
     }
   }
   if (const TomlNode* defines = reader.find("defines")) readDefines(*defines, scenario, diagnostics);
+  if (const TomlNode* inputs = reader.find("vertex_inputs")) readVertexInputs(*inputs, scenario, diagnostics);
   reader.finish();
 }
 

@@ -254,6 +254,7 @@ struct Scenario {
   std::string name;
   std::string fragment_path, vertex_path;  // absolute; empty: the standard shaders
   std::string fragment_entry_point = "main", vertex_entry_point = "main";  // of SPIR-V and HLSL
+  std::vector<std::pair<std::string, std::string>> vertex_inputs;  // a name in the shader, what meshes call it
   std::vector<std::string> include_dirs;
   std::vector<std::pair<std::string, std::string>> defines;
   std::uint32_t width = 640, height = 360;

@@ -189,6 +189,11 @@ std::string shaderText(const Scenario& scenario, const fs::path& directory) {
   text += "]\ndefines = {";
   for (std::size_t i = 0; i < scenario.defines.size(); ++i)
     text += (i > 0 ? ", " : " ") + scenario.defines[i].first + " = " + quoted(scenario.defines[i].second);
+  text += " }\n";
+  if (scenario.vertex_inputs.empty()) return text;
+  text += "vertex_inputs = {";
+  for (std::size_t i = 0; i < scenario.vertex_inputs.size(); ++i)
+    text += (i > 0 ? ", " : " ") + quoted(scenario.vertex_inputs[i].first) + " = " + quoted(scenario.vertex_inputs[i].second);
   return text + " }\n";
 }
 

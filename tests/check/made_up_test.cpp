@@ -55,6 +55,18 @@ TEST(MadeUpValues, GoOverTheRangesOfTheirStyles) {
   }
 }
 
+TEST(MadeUpValues, IntegersStayWithinArraysOfDescriptors) {
+  ShaderInterface interface;
+  EXPECT_EQ(integerLimit(interface), MadeUpValues::kAnyInteger);
+  interface.descriptors.resize(3);
+  interface.descriptors[1].count = 8, interface.descriptors[2].count = 3;
+  EXPECT_EQ(integerLimit(interface), 3u);
+  for (std::uint32_t seed = 1; seed <= 4; ++seed) {
+    MadeUpValues values(seed, integerLimit(interface));
+    for (int i = 0; i < 100; ++i) ASSERT_LT(values.whole(), 3u);
+  }
+}
+
 TEST(MadeUpValues, OnlyFloatsDriftAndNotInTheFirstFrame) {
   BlockMember tint, count, turn;
   tint.rows = 3;

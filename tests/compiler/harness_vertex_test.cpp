@@ -39,5 +39,15 @@ TEST(HarnessVertex, TakesTheFirstSetThatIsFree) {
   EXPECT_EQ(interface->descriptors[1].set, 3u);
 }
 
+TEST(HarnessVertex, KeepsIntegersWithinArraysOfDescriptors) {
+  const CompiledShader fragment = fragmentWith("layout(location = 3) flat in int which;\nlayout(binding = 0) uniform sampler2D maps[3];\n",
+                                               "texture(maps[which], vec2(0.5))");
+  const auto text = harnessVertexText(fragment.words);
+  ASSERT_TRUE(text.ok());
+  EXPECT_NE(text->find("% 3u"), std::string::npos);
+  EXPECT_NE(text->find("= int(wholeIndex(12u))"), std::string::npos);
+  EXPECT_TRUE(interfaceOf(fragment).ok());
+}
+
 }  // namespace
 }  // namespace reprise

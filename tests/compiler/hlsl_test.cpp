@@ -50,6 +50,18 @@ TEST(Hlsl, RegistersOfEveryKindGetBindingsOfTheirOwn) {
   EXPECT_EQ(bindingOf(DescriptorKind::kSampler), 32u);
 }
 
+TEST(Hlsl, VertexInputsAreCalledAsMeshesCallThem) {
+  const auto shader = compileText("struct Input { float3 position : POSITION; float2 uv : TEXCOORD0; };\n"
+                                  "float4 VSMain(Input input) : SV_Position { return float4(input.position, input.uv.x); }\n",
+                                  "test.vs.hlsl", optionsFor("VSMain"));
+  ASSERT_TRUE(shader.ok()) << formatError(shader.error());
+  const auto stage = reflectStage(shader->words, ShaderStage::kVertex);
+  ASSERT_TRUE(stage.ok()) << formatError(stage.error());
+  ASSERT_EQ(stage->vertex_inputs.size(), 2u);
+  EXPECT_EQ(stage->vertex_inputs[0].name, "position");
+  EXPECT_EQ(stage->vertex_inputs[1].name, "uv");
+}
+
 TEST(Hlsl, ErrorsHaveLines) {
   std::string text = kPixel;
   text.replace(text.find("albedo * tint"), 6, "albido");

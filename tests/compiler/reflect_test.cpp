@@ -272,8 +272,10 @@ TEST(Reflect, UnknownMembersCanBeSkipped) {
   const auto found = reflectInterface(vertex_shader.words, fragment_shader.words, {true});
   ASSERT_TRUE(found.ok()) << formatError(found.error());
   ASSERT_EQ(found->descriptors.size(), 1u);
-  ASSERT_EQ(found->descriptors[0].members.size(), 1u);
+  ASSERT_EQ(found->descriptors[0].members.size(), 2u);
   EXPECT_EQ(found->descriptors[0].members[0].name, "first");
+  EXPECT_EQ(found->descriptors[0].members[1].name, "items");
+  EXPECT_EQ(found->descriptors[0].members[1].array_length, 16u) << "an array without a size has some elements";
 }
 
 TEST(Reflect, RefusesWhatAnInterfaceCannotDescribe) {

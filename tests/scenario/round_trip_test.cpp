@@ -259,6 +259,7 @@ Scenario anyScenario(const fs::path& folder) {
   scenario.name = anyText();
   scenario.fragment_path = (folder / "a.frag").string();
   scenario.vertex_path = (folder / "a.vert").string();
+  if (*rc::gen::arbitrary<bool>()) scenario.vertex_inputs = {{"input_0", "position"}, {"in.var.\"x\"", "uv"}};
   if (*rc::gen::arbitrary<bool>()) scenario.fragment_entry_point = "PSMain", scenario.vertex_entry_point = "VSMain";
   if (*rc::gen::arbitrary<bool>()) scenario.include_dirs = {(folder / "common").string()};
   if (*rc::gen::arbitrary<bool>()) scenario.defines = {{"B", anyText()}, {"A", ""}, {"C", "1"}};
