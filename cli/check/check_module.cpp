@@ -77,7 +77,11 @@ class ModuleCheck {
     const Result<void> result = check(ours);
     if (!result.ok()) {
       const Error& error = result.error();
-      end(error.kind == ErrorKind::kRefused ? Verdict::kRefused : Verdict::kUntestable, error.code, error.message);
+      if (error.code == "device.timeout") {
+        end(Verdict::kHung, "variant.hung", "the original runs, but on the prepared module or a variant " + error.message);
+      } else {
+        end(error.kind == ErrorKind::kRefused ? Verdict::kRefused : Verdict::kUntestable, error.code, error.message);
+      }
     }
     return verdict_;
   }
@@ -94,6 +98,7 @@ class ModuleCheck {
     HarnessOptions inputs;
     std::shared_ptr<OriginalFrames> originals;
     const Candidate* candidate = nullptr;
+    bool inconsistent = false;
   };
 
   void end(Verdict verdict, const std::string& code, const std::string& reason) {
@@ -130,10 +135,12 @@ class ModuleCheck {
     std::stable_partition(candidates_.begin(), candidates_.end(), [](const Candidate& one) { return !isRegrouped(one); });
     if (candidates_.empty()) return Error{ErrorKind::kRefused, "candidate.none", whyNone(values), {}};
     may_show_undefined_ = mayShowUndefined(*program.fragment);
-    const Reference reference = [this](const ReferenceAsk& ask) {
+    const Reference reference = [this](const ReferenceAsk& ask) -> Result<std::vector<HarnessFrame>> {
       bench_.hooks.enters(CheckStage::kOriginal);
       auto answer = bench_.reference(ask);
       bench_.hooks.enters(CheckStage::kVariants);
+      if (!answer.ok() && answer.error().code == "device.timeout")
+        return Error{ErrorKind::kMachine, "original.hung", "on the module alone " + answer.error().message, {}};
       return answer;
     };
     player_ = std::make_unique<ModulePlayer>(bench_.context, bench_.commands, std::move(program), reference);
@@ -162,8 +169,10 @@ class ModuleCheck {
       end(Verdict::kUntestable, "inputs.meaningless", fmt::format("with {} seeds from {}: {}", attempt + 1, bench_.request.seed, meaning.why));
       return false;
     }
-    REPRISE_ASSIGN(const bool undefined, showsUndefined());
-    if (undefined) return true;
+    if (!looked_at_undefined_) {  // else only where something differs
+      REPRISE_ASSIGN(const bool undefined, showsUndefined());
+      if (undefined) return true;
+    }
     if (meaning.shows == Showing::kConstant) {
       noteUnshown("image.constant", meaning.why, candidates_.front());
       return false;
@@ -214,6 +223,7 @@ class ModuleCheck {
   Result<bool> holdUncached() {
     REPRISE_ASSIGN(const Held held, holdPrepared(*originals_, player_->terms(nullptr, ""), interpreted_.computation));
     inconsistent_ = held.inconsistent;
+    ever_inconsistent_ = ever_inconsistent_ || held.inconsistent;
     worst_ = std::max(worst_, held.inconsistent ? Judgement::kEqual : held.judgement);
     if (held.judgement != Judgement::kOurs || held.inconsistent) return false;
     REPRISE_ASSIGN(const bool undefined, showsUndefined());
@@ -221,9 +231,8 @@ class ModuleCheck {
     return true;
   }
 
-  // Looked at once, with the first inputs that cover anything.
   Result<bool> showsUndefined() {
-    if (!may_show_undefined_ || looked_at_undefined_) return false;
+    if (!may_show_undefined_) return false;
     looked_at_undefined_ = true;
     REPRISE_ASSIGN(const CompiledShader zeros, withZeros(bench_.given));
     const LawTerms terms = player_->terms(nullptr, "");
@@ -244,13 +253,14 @@ class ModuleCheck {
   void noteUnshown(const std::string& code, const std::string& reason, const Candidate& candidate) {
     // An image that varies says more than one that does not.
     if (unshown_ && (unshown_->code != "image.constant" || code == "image.constant")) return;
-    unshown_ = Unshown{code, reason, inputs_, originals_, &candidate};
+    unshown_ = Unshown{code, reason, inputs_, originals_, &candidate, inconsistent_};
   }
 
   // All strategies are held to the laws, though nothing of the cache shows.
   Result<void> concludeUnshown() {
     inputs_ = unshown_->inputs;
     originals_ = unshown_->originals;
+    inconsistent_ = unshown_->inconsistent;
     REPRISE_TRY(player_->setInputs(inputs_));
     verdict_.variants = 0;
     verdict_.candidates = std::max(verdict_.candidates, 1);
@@ -260,7 +270,7 @@ class ModuleCheck {
   }
 
   void conclude(Verdict verdict, const std::string& code, const std::string& reason) {
-    if (inconsistent_) {
+    if (ever_inconsistent_) {
       end(Verdict::kUntestable, "device.inconsistent",
           "the device draws the module and its prepared form differently, though both compute the same, and all variants equal the prepared one");
       return;
@@ -346,7 +356,7 @@ class ModuleCheck {
   HarnessOptions inputs_;
   std::shared_ptr<OriginalFrames> originals_;
   Interpreted interpreted_;
-  bool inconsistent_ = false;
+  bool inconsistent_ = false, ever_inconsistent_ = false;  // the device, with these inputs; with any
   bool may_show_undefined_ = false, looked_at_undefined_ = false;
   int shown_seeds_ = 0;
   Judgement worst_ = Judgement::kEqual;
