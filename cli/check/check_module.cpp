@@ -17,6 +17,7 @@
 #include "compiler/source/validate.h"
 #include "compiler/strategies/build_package.h"
 #include "compiler/strategies/registry.h"
+#include "runtime/vulkan/lane_probe.h"
 
 namespace reprise {
 namespace {
@@ -90,6 +91,11 @@ class ModuleCheck {
   Result<void> check(const CompiledShader& fragment) {
     REPRISE_ASSIGN(subject_.program, harnessProgram(fragment));
     if (subject_.program.analysis.refusal) return *subject_.program.analysis.refusal;
+    if (subject_.program.analysis.derivatives_read_buffers) {
+      REPRISE_ASSIGN(const LaneLoads lanes, probeLanes(context_));
+      limits_.rejected_lanes_load = lanes.rejected;
+      limits_.device = context_.summary().name;
+    }
     if (subject_.program.interface.outputs.empty())
       return Error{ErrorKind::kRefused, "output.none", "the shader has no colour output that a payload could serve", {}};
     CandidateOptions enumeration;
@@ -137,7 +143,7 @@ class ModuleCheck {
     originals_.clear();
     VariantOptions original;
     original.strategy = "original";
-    REPRISE_ASSIGN(const Package package, buildPackage(subject_.program, subject_.candidates.front(), original, {true, true, true}));
+    REPRISE_ASSIGN(const Package package, buildPackage(subject_.program, subject_.candidates.front(), original, limits_));
     REPRISE_ASSIGN(Player player, harness_->createPlayer(package, true));
     for (int frame = 0; frame < kFrames; ++frame) {
       REPRISE_ASSIGN(HarnessFrame played, harness_->play(player, {frame, 1}));
@@ -207,7 +213,7 @@ class ModuleCheck {
   }
 
   Result<Player> variantPlayer(const Candidate& candidate, const VariantOptions& options) {
-    REPRISE_ASSIGN(const Package package, buildPackage(subject_.program, candidate, options, {true, true, true}));
+    REPRISE_ASSIGN(const Package package, buildPackage(subject_.program, candidate, options, limits_));
     REPRISE_ASSIGN(Player player, harness_->createPlayer(package, false));
     if (!player.originalReason().empty()) return Error{ErrorKind::kRefused, "device.requirement", player.originalReason(), {}};
     return player;
@@ -285,6 +291,7 @@ class ModuleCheck {
   Commands& commands_;
   ModuleVerdict verdict_;
   Subject subject_;
+  StateLimits limits_{true, true, true};
   std::unique_ptr<Harness> harness_;
   std::vector<HarnessFrame> originals_;
   std::uint32_t seed_ = 1;
