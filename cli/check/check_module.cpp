@@ -9,6 +9,7 @@
 
 #include "cli/check/capabilities.h"
 #include "cli/check/covering_integers.h"
+#include "cli/check/divergent_quads.h"
 #include "cli/check/endless_loops.h"
 #include "cli/check/harness_program.h"
 #include "cli/check/interpreted.h"
@@ -17,6 +18,7 @@
 #include "compiler/ir/reproducible.h"
 #include "compiler/source/validate.h"
 #include "compiler/strategies/registry.h"
+#include "runtime/vulkan/lane_probe.h"
 
 namespace reprise {
 namespace {
@@ -143,8 +145,19 @@ class ModuleCheck {
         return Error{ErrorKind::kMachine, "original.hung", "on the module alone " + answer.error().message, {}};
       return answer;
     };
-    player_ = std::make_unique<ModulePlayer>(bench_.context, bench_.commands, std::move(program), reference);
+    REPRISE_ASSIGN(const StateLimits limits, limitsFor(program));
+    player_ = std::make_unique<ModulePlayer>(bench_.context, bench_.commands, std::move(program), reference, limits);
     return tryInputs();
+  }
+
+  // What the harness allows, and the device where it matters.
+  Result<StateLimits> limitsFor(const ShaderProgram& program) const {
+    StateLimits limits{true, true, true};
+    if (!program.analysis.derivatives_read_buffers) return limits;
+    REPRISE_ASSIGN(const LaneLoads lanes, probeLanes(bench_.context));
+    limits.rejected_lanes_load = lanes.rejected;
+    limits.device = bench_.context.summary().name;
+    return limits;
   }
 
   // Until the inputs show something; whatever ends the check is in the verdict then.
@@ -164,7 +177,7 @@ class ModuleCheck {
     REPRISE_ASSIGN(const bool ended, holdUncached());
     if (ended) return true;
     REPRISE_ASSIGN(const Originals* originals, originals_->get(false));
-    const Meaning meaning = meaningOf(originals->given[kFrozenShot], player_->program().interface.outputs);
+    const Meaning meaning = meaningOf(originals->given[kFrozenShot], player_->program().interface.outputs, leftOutOf(kFrozenShot));
     if (meaning.shows == Showing::kNothing) {
       end(Verdict::kUntestable, "inputs.meaningless", fmt::format("with {} seeds from {}: {}", attempt + 1, bench_.request.seed, meaning.why));
       return false;
@@ -212,6 +225,8 @@ class ModuleCheck {
     const Result<VariantFrames> frames = holdStrategy(*shown_candidate_, shown_strategy_);
     return frames.ok() ? Result<void>{} : frames.error();
   }
+
+  const std::vector<bool>* leftOutOf(std::size_t frame) const { return player_->leftOut().empty() ? nullptr : &player_->leftOut()[frame]; }
 
   Result<void> useInputs() {
     REPRISE_TRY(player_->setInputs(inputs_));
@@ -279,7 +294,10 @@ class ModuleCheck {
                                ? "the shader enlarges rounding errors itself: bit for bit with NoContraction on both sides, and the terms are the same"
                            : worst_ == Judgement::kRounded ? "within 1e-5, where the device rounds the same terms differently"
                                                             : "";
-    end(verdict, code, reason.empty() || *rounding == '\0' ? reason + rounding : reason + "; " + rounding);
+    std::string text = reason;
+    for (const std::string& note : {std::string(rounding), divergenceNote(player_->program(), player_->leftOut())})
+      if (!note.empty()) text += (text.empty() ? "" : "; ") + note;
+    end(verdict, code, text);
   }
 
   // Whether what was seen says something, if that is asked. Seen in the first strategy that takes the candidate, before time is spent
