@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <map>
 #include <memory>
 
 #include "cli/check/capabilities.h"
+#include "cli/check/check_subject.h"
 #include "cli/check/covering_integers.h"
 #include "cli/check/divergent_quads.h"
 #include "cli/check/endless_loops.h"
@@ -18,7 +18,6 @@
 #include "compiler/ir/reproducible.h"
 #include "compiler/source/validate.h"
 #include "compiler/strategies/registry.h"
-#include "runtime/vulkan/lane_probe.h"
 
 namespace reprise {
 namespace {
@@ -38,37 +37,6 @@ struct Bench {
   const CompiledShader& given;
   Reference reference;
 };
-
-CompileOptions compileOptionsOf(const CheckRequest& request) {
-  CompileOptions options;
-  options.stage = ShaderStage::kFragment;
-  options.entry_point = request.entry_point;
-  for (const std::string& directory : request.include_dirs) options.include_dirs.emplace_back(directory);
-  for (const std::string& define : request.defines) {
-    const std::size_t equals = define.find('=');
-    options.defines.emplace_back(define.substr(0, equals), equals == std::string::npos ? "" : define.substr(equals + 1));
-  }
-  return options;
-}
-
-// The reason that most values have for being no candidates.
-std::string whyNone(const std::vector<Candidate>& values) {
-  std::map<std::string, int> counts;
-  const Candidate* most = nullptr;
-  int best = 0;
-  for (const Candidate& value : values)
-    if (++counts[value.dropped.code] > best) best = counts[value.dropped.code], most = &value;
-  if (most == nullptr) return "the shader computes nothing";
-  return fmt::format("none of {} values can be kept; most often: {} [{}]", values.size(), most->dropped.message, most->dropped.code);
-}
-
-Result<CompiledShader> withZeros(const CompiledShader& shader) {
-  REPRISE_ASSIGN(const Module module, readModule(shader.words));
-  CompiledShader result = shader;
-  result.words = writeModule(withDefinedValues(module));
-  REPRISE_TRY(validateModule(result.words));
-  return result;
-}
 
 class ModuleCheck {
  public:
@@ -128,14 +96,7 @@ class ModuleCheck {
     if (program.analysis.refusal) return *program.analysis.refusal;
     if (program.interface.outputs.empty())
       return Error{ErrorKind::kRefused, "output.none", "the shader has no colour output that a payload could serve", {}};
-    CandidateOptions enumeration;
-    enumeration.least_share = 0;
-    const std::vector<Candidate> values = enumerateCandidates(*program.fragment, program.analysis, program.sources, enumeration);
-    for (const Candidate& value : values)
-      if (value.kept()) candidates_.push_back(value);
-    // Last, as their hits equal the original but for rounding, which a shader may make much of.
-    std::stable_partition(candidates_.begin(), candidates_.end(), [](const Candidate& one) { return !isRegrouped(one); });
-    if (candidates_.empty()) return Error{ErrorKind::kRefused, "candidate.none", whyNone(values), {}};
+    REPRISE_ASSIGN(candidates_, candidatesOf(program));
     may_show_undefined_ = mayShowUndefined(*program.fragment);
     const Reference reference = [this](const ReferenceAsk& ask) -> Result<std::vector<HarnessFrame>> {
       bench_.hooks.enters(CheckStage::kOriginal);
@@ -145,19 +106,9 @@ class ModuleCheck {
         return Error{ErrorKind::kMachine, "original.hung", "on the module alone " + answer.error().message, {}};
       return answer;
     };
-    REPRISE_ASSIGN(const StateLimits limits, limitsFor(program));
+    REPRISE_ASSIGN(const StateLimits limits, limitsFor(program, bench_.context));
     player_ = std::make_unique<ModulePlayer>(bench_.context, bench_.commands, std::move(program), reference, limits);
     return tryInputs();
-  }
-
-  // What the harness allows, and the device where it matters.
-  Result<StateLimits> limitsFor(const ShaderProgram& program) const {
-    StateLimits limits{true, true, true};
-    if (!program.analysis.derivatives_read_buffers) return limits;
-    REPRISE_ASSIGN(const LaneLoads lanes, probeLanes(bench_.context));
-    limits.rejected_lanes_load = lanes.rejected;
-    limits.device = bench_.context.summary().name;
-    return limits;
   }
 
   // Until the inputs show something; whatever ends the check is in the verdict then.
