@@ -13,6 +13,7 @@
 #include "cli/evidence_pictures.h"
 #include "cli/explain_original.h"
 #include "cli/fit.h"
+#include "cli/measured_device.h"
 #include "cli/model_scenario.h"
 #include "cli/motion.h"
 #include "cli/open_bench.h"
@@ -80,11 +81,11 @@ std::string processorName() {
 }
 
 // What is known before anything is measured.
-RunResult describeSubject(const Subject& subject, const OptimizeArguments& arguments, const DeviceSummary& device) {
+RunResult describeSubject(const Subject& subject, const OptimizeArguments& arguments, const MeasuredDevice& measured) {
   RunResult result;
   result.tool_version = kToolVersion;
-  result.device = {device.name, device.driver, device.is_cpu, processorName()};
-  result.clock = device.is_cpu ? "process_cpu" : "timestamps";
+  result.device = describeDevice(measured, processorName());
+  result.clock = measured.summary.is_cpu ? "process_cpu" : "timestamps";
   result.shader = {subject.scenario.fragment_path, subject.scenario.vertex_path, subject.program.hash};
   int frames = 0;
   for (const SessionSpec& session : subject.scenario.sessions)
@@ -191,6 +192,9 @@ void addWarnings(const Subject& subject, const Selection& selection, const Fitte
   for (const TradeoffPoint& point : selection.pareto) result.front.push_back(describeVariant(fitted.input.configurations[point.configuration], point.period_frames));
   std::vector<std::string> ids{result.choice.candidate_id};
   for (const RunVariant& variant : result.front) ids.push_back(variant.candidate_id);
+  if (subject.program.analysis.derivatives_read_buffers && result.device.lanes && !result.device.lanes->helper)
+    result.warnings.push_back("the shader takes derivatives of what it reads from storage buffers, and on this device pixels beside a triangle read nothing there: "
+                              "the original is wrong at the borders of triangles, and errors that come of it are not the payload's");
   for (std::string& warning : smearWarnings(subject, ids)) result.warnings.push_back(std::move(warning));
   for (std::string& warning : fitWarnings(result)) result.warnings.push_back(std::move(warning));
 }
@@ -223,11 +227,13 @@ Result<Subject> subjectOf(const OptimizeArguments& arguments) {
 
 Result<RunResult> optimize(const OptimizeArguments& arguments, Progress& progress) {
   REPRISE_TRY(checkArguments(arguments));
-  REPRISE_ASSIGN(const Subject subject, subjectOf(arguments));                                  // 1 compile .. 4 enumerate
-  REPRISE_ASSIGN(const DeviceSummary device, chosenDevice(arguments.device));
+  REPRISE_ASSIGN(Subject subject, subjectOf(arguments));                                        // 1 compile .. 4 enumerate
+  REPRISE_ASSIGN(const MeasuredDevice measured, openMeasuredDevice(arguments.device));
+  const DeviceSummary& device = measured.summary;
+  limitTo(measured, subject);
   REPRISE_ASSIGN(const Workspace workspace, Workspace::open(arguments.output));
   REPRISE_TRY(copyInputs(subject, workspace.scenarioFile()));
-  RunResult result = describeSubject(subject, arguments, device);
+  RunResult result = describeSubject(subject, arguments, measured);
   StageClock clock(result, progress);
   clock.end("compile");
 
@@ -290,8 +296,10 @@ Result<RunResult> validateAgain(const std::string& directory, const OptimizeArgu
   REPRISE_ASSIGN(const Package package, readPackage(root / "package"));
   if (result.choice.kind == ChoiceKind::kOriginal)
     return Error{ErrorKind::kInput, "validate.original", "the choice of '" + directory + "' is the original; there is nothing to validate", {}};
-  REPRISE_ASSIGN(const Subject subject, readSubject(root / "scenario" / "scenario.toml"));
-  REPRISE_ASSIGN(const DeviceSummary device, chosenDevice(arguments.device));
+  REPRISE_ASSIGN(Subject subject, readSubject(root / "scenario" / "scenario.toml"));
+  REPRISE_ASSIGN(const MeasuredDevice measured, openMeasuredDevice(arguments.device));
+  const DeviceSummary& device = measured.summary;
+  limitTo(measured, subject);
   REPRISE_ASSIGN(const Workspace workspace, Workspace::open(directory));
   REPRISE_ASSIGN(const DeviceLock lock, lockDevice(device, arguments, progress));
   REPRISE_ASSIGN(Bench bench, openBench(subject, workspace, benchOptions(arguments), device));
@@ -316,7 +324,7 @@ Result<RunResult> validateAgain(const std::string& directory, const OptimizeArgu
   plan.max_error = result.threshold.value;
   plan.cpu_clock = device.is_cpu;
   REPRISE_ASSIGN(const ValidationRun run, validateChoice(subject, workspace, bench.measuring, plan, progress));
-  result.device = {device.name, device.driver, device.is_cpu, processorName()};
+  result.device = describeDevice(measured, processorName());
   result.choice.measured_error = run.measured_error;
   result.choice.worst_frame_error = run.worst_frame_error;
   result.choice.measured_speedup = run.binding.ratio;
@@ -334,7 +342,9 @@ Result<CommittedCheck> validateCommitted(const CommittedArguments& committed, co
   REPRISE_ASSIGN(Subject subject, readSubjectUnranked(committed.scenario));
   REPRISE_ASSIGN(const ChosenVariant variant, variantOf(subject, choice));
   subject.candidates = {variant.candidate};
-  REPRISE_ASSIGN(const DeviceSummary device, chosenDevice(arguments.device));
+  REPRISE_ASSIGN(const MeasuredDevice measured, openMeasuredDevice(arguments.device));
+  const DeviceSummary& device = measured.summary;
+  limitTo(measured, subject);
   REPRISE_ASSIGN(const Workspace workspace, Workspace::open(arguments.output));
   REPRISE_TRY(copyInputs(subject, workspace.scenarioFile()));
   REPRISE_ASSIGN(const DeviceLock lock, lockDevice(device, arguments, progress));

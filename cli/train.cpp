@@ -12,6 +12,7 @@
 #include "cli/probe_candidates.h"
 #include "cli/probe_objects.h"
 #include "cli/session_pace.h"
+#include "compiler/strategies/refuse_variant.h"
 
 namespace reprise {
 namespace {
@@ -74,8 +75,9 @@ class Trainer {
   void addStudy(std::size_t candidate, const VariantOptions& options) {
     VariantOptions instrumented = options;
     instrumented.instrumented = true;
-    // Errors are the same in every strategy (law 11); where depth allows it, two passes render fastest on CPU devices.
-    instrumented.strategy = subject_.limits.strict_depth_with_writes ? "two_pass" : "branch";
+    // Errors are the same in every strategy (law 11); where state and device allow it, two passes render fastest on CPU devices.
+    instrumented.strategy = "two_pass";
+    if (refuseVariant(subject_.program, subject_.candidates[candidate], instrumented, subject_.limits)) instrumented.strategy = "branch";
     training_.errors.push_back({candidate, instrumented, {}, ""});
   }
 

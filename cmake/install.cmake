@@ -25,7 +25,7 @@ install(EXPORT RepriseTargets NAMESPACE Reprise:: DESTINATION ${REPRISE_INSTALL_
 foreach(header
     runtime/base/check.h runtime/base/file.h runtime/base/hash.h runtime/base/result.h
     runtime/package/embedded.h runtime/package/interface.h runtime/package/package.h runtime/package/recipe.h
-    runtime/playback/player.h)
+    runtime/playback/player.h runtime/vulkan/lane_probe.h)
   cmake_path(GET header PARENT_PATH folder)
   install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${REPRISE_INSTALL_INCLUDE}/${folder})
 endforeach()

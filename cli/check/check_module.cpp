@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <map>
 #include <memory>
 
 #include "cli/check/capabilities.h"
+#include "cli/check/check_subject.h"
+#include "cli/check/covering_integers.h"
+#include "cli/check/divergent_quads.h"
 #include "cli/check/endless_loops.h"
 #include "cli/check/harness_program.h"
 #include "cli/check/interpreted.h"
@@ -21,6 +23,8 @@ namespace reprise {
 namespace {
 
 constexpr int kSeedsTried = 5;
+constexpr std::size_t kAssignmentsTried = 12;      // of integers, for one module
+constexpr std::size_t kAssignmentsPerVariant = 4;  // a variant is played with one in so many
 constexpr std::size_t kCandidatesTried = 4;  // with the first seed that means something; the best one alone with the others
 
 // What stays the same for all looks at one module.
@@ -34,37 +38,6 @@ struct Bench {
   Reference reference;
 };
 
-CompileOptions compileOptionsOf(const CheckRequest& request) {
-  CompileOptions options;
-  options.stage = ShaderStage::kFragment;
-  options.entry_point = request.entry_point;
-  for (const std::string& directory : request.include_dirs) options.include_dirs.emplace_back(directory);
-  for (const std::string& define : request.defines) {
-    const std::size_t equals = define.find('=');
-    options.defines.emplace_back(define.substr(0, equals), equals == std::string::npos ? "" : define.substr(equals + 1));
-  }
-  return options;
-}
-
-// The reason that most values have for being no candidates.
-std::string whyNone(const std::vector<Candidate>& values) {
-  std::map<std::string, int> counts;
-  const Candidate* most = nullptr;
-  int best = 0;
-  for (const Candidate& value : values)
-    if (++counts[value.dropped.code] > best) best = counts[value.dropped.code], most = &value;
-  if (most == nullptr) return "the shader computes nothing";
-  return fmt::format("none of {} values can be kept; most often: {} [{}]", values.size(), most->dropped.message, most->dropped.code);
-}
-
-Result<CompiledShader> withZeros(const CompiledShader& shader) {
-  REPRISE_ASSIGN(const Module module, readModule(shader.words));
-  CompiledShader result = shader;
-  result.words = writeModule(withDefinedValues(module));
-  REPRISE_TRY(validateModule(result.words));
-  return result;
-}
-
 class ModuleCheck {
  public:
   explicit ModuleCheck(const Bench& bench) : bench_(bench) { verdict_.path = bench.request.path; }
@@ -74,7 +47,11 @@ class ModuleCheck {
     const Result<void> result = check(ours);
     if (!result.ok()) {
       const Error& error = result.error();
-      end(error.kind == ErrorKind::kRefused ? Verdict::kRefused : Verdict::kUntestable, error.code, error.message);
+      if (error.code == "device.timeout") {
+        end(Verdict::kHung, "variant.hung", "the original runs, but on the prepared module or a variant " + error.message);
+      } else {
+        end(error.kind == ErrorKind::kRefused ? Verdict::kRefused : Verdict::kUntestable, error.code, error.message);
+      }
     }
     return verdict_;
   }
@@ -91,6 +68,7 @@ class ModuleCheck {
     HarnessOptions inputs;
     std::shared_ptr<OriginalFrames> originals;
     const Candidate* candidate = nullptr;
+    bool inconsistent = false;
   };
 
   void end(Verdict verdict, const std::string& code, const std::string& reason) {
@@ -118,22 +96,18 @@ class ModuleCheck {
     if (program.analysis.refusal) return *program.analysis.refusal;
     if (program.interface.outputs.empty())
       return Error{ErrorKind::kRefused, "output.none", "the shader has no colour output that a payload could serve", {}};
-    CandidateOptions enumeration;
-    enumeration.least_share = 0;
-    const std::vector<Candidate> values = enumerateCandidates(*program.fragment, program.analysis, program.sources, enumeration);
-    for (const Candidate& value : values)
-      if (value.kept()) candidates_.push_back(value);
-    // Last, as their hits equal the original but for rounding, which a shader may make much of.
-    std::stable_partition(candidates_.begin(), candidates_.end(), [](const Candidate& one) { return !isRegrouped(one); });
-    if (candidates_.empty()) return Error{ErrorKind::kRefused, "candidate.none", whyNone(values), {}};
+    REPRISE_ASSIGN(candidates_, candidatesOf(program));
     may_show_undefined_ = mayShowUndefined(*program.fragment);
-    const Reference reference = [this](const ReferenceAsk& ask) {
+    const Reference reference = [this](const ReferenceAsk& ask) -> Result<std::vector<HarnessFrame>> {
       bench_.hooks.enters(CheckStage::kOriginal);
       auto answer = bench_.reference(ask);
       bench_.hooks.enters(CheckStage::kVariants);
+      if (!answer.ok() && answer.error().code == "device.timeout")
+        return Error{ErrorKind::kMachine, "original.hung", "on the module alone " + answer.error().message, {}};
       return answer;
     };
-    player_ = std::make_unique<ModulePlayer>(bench_.context, bench_.commands, std::move(program), reference);
+    REPRISE_ASSIGN(const StateLimits limits, limitsFor(program, bench_.context));
+    player_ = std::make_unique<ModulePlayer>(bench_.context, bench_.commands, std::move(program), reference, limits);
     return tryInputs();
   }
 
@@ -150,18 +124,19 @@ class ModuleCheck {
 
   // True once the verdict stands.
   Result<bool> tryOne(int attempt) {
-    REPRISE_TRY(player_->setInputs(inputs_));
-    originals_ = std::make_shared<OriginalFrames>([this](bool no_contraction) { return player_->originals(no_contraction); });
+    REPRISE_TRY(useInputs());
     REPRISE_ASSIGN(const bool ended, holdUncached());
     if (ended) return true;
     REPRISE_ASSIGN(const Originals* originals, originals_->get(false));
-    const Meaning meaning = meaningOf(originals->given[kFrozenShot], player_->program().interface.outputs);
+    const Meaning meaning = meaningOf(originals->given[kFrozenShot], player_->program().interface.outputs, leftOutOf(kFrozenShot));
     if (meaning.shows == Showing::kNothing) {
       end(Verdict::kUntestable, "inputs.meaningless", fmt::format("with {} seeds from {}: {}", attempt + 1, bench_.request.seed, meaning.why));
       return false;
     }
-    REPRISE_ASSIGN(const bool undefined, showsUndefined());
-    if (undefined) return true;
+    if (!looked_at_undefined_) {  // else only where something differs
+      REPRISE_ASSIGN(const bool undefined, showsUndefined());
+      if (undefined) return true;
+    }
     if (meaning.shows == Showing::kConstant) {
       noteUnshown("image.constant", meaning.why, candidates_.front());
       return false;
@@ -176,14 +151,45 @@ class ModuleCheck {
       meaningful += shows ? 1 : 0;
     }
     if (meaningful == 0) return false;
-    conclude(Verdict::kVerified, "", "");
+    REPRISE_TRY(holdOtherIntegers());
+    if (!failed()) conclude(Verdict::kVerified, "", "");
     return true;
+  }
+
+  // Integers that decide how often loops run and which way branches go take other values in turn: law 0 is held with each, and now and
+  // then the laws of a variant. A module that does not survive them has been compared without.
+  Result<void> holdOtherIntegers() {
+    const std::vector<IntegerAssignment> assignments = coveringAssignments(player_->program(), kAssignmentsTried);
+    for (std::size_t i = 0; i < assignments.size() && !failed(); ++i) {
+      inputs_.integers = assignments[i];
+      const Result<void> held = holdWith(i % kAssignmentsPerVariant == 0);
+      if (!held.ok() && held.error().code.starts_with("original.")) return {};
+      REPRISE_TRY(held);
+    }
+    return {};
+  }
+
+  Result<void> holdWith(bool variant) {
+    REPRISE_TRY(useInputs());
+    REPRISE_ASSIGN(const bool ended, holdUncached());
+    if (ended || !variant) return {};
+    const Result<VariantFrames> frames = holdStrategy(*shown_candidate_, shown_strategy_);
+    return frames.ok() ? Result<void>{} : frames.error();
+  }
+
+  const std::vector<bool>* leftOutOf(std::size_t frame) const { return player_->leftOut().empty() ? nullptr : &player_->leftOut()[frame]; }
+
+  Result<void> useInputs() {
+    REPRISE_TRY(player_->setInputs(inputs_));
+    originals_ = std::make_shared<OriginalFrames>([this](bool no_contraction) { return player_->originals(no_contraction); });
+    return {};
   }
 
   // Law 0. True if that ends the check.
   Result<bool> holdUncached() {
     REPRISE_ASSIGN(const Held held, holdPrepared(*originals_, player_->terms(nullptr, ""), interpreted_.computation));
     inconsistent_ = held.inconsistent;
+    ever_inconsistent_ = ever_inconsistent_ || held.inconsistent;
     worst_ = std::max(worst_, held.inconsistent ? Judgement::kEqual : held.judgement);
     if (held.judgement != Judgement::kOurs || held.inconsistent) return false;
     REPRISE_ASSIGN(const bool undefined, showsUndefined());
@@ -191,9 +197,8 @@ class ModuleCheck {
     return true;
   }
 
-  // Looked at once, with the first inputs that cover anything.
   Result<bool> showsUndefined() {
-    if (!may_show_undefined_ || looked_at_undefined_) return false;
+    if (!may_show_undefined_) return false;
     looked_at_undefined_ = true;
     REPRISE_ASSIGN(const CompiledShader zeros, withZeros(bench_.given));
     const LawTerms terms = player_->terms(nullptr, "");
@@ -214,13 +219,14 @@ class ModuleCheck {
   void noteUnshown(const std::string& code, const std::string& reason, const Candidate& candidate) {
     // An image that varies says more than one that does not.
     if (unshown_ && (unshown_->code != "image.constant" || code == "image.constant")) return;
-    unshown_ = Unshown{code, reason, inputs_, originals_, &candidate};
+    unshown_ = Unshown{code, reason, inputs_, originals_, &candidate, inconsistent_};
   }
 
   // All strategies are held to the laws, though nothing of the cache shows.
   Result<void> concludeUnshown() {
     inputs_ = unshown_->inputs;
     originals_ = unshown_->originals;
+    inconsistent_ = unshown_->inconsistent;
     REPRISE_TRY(player_->setInputs(inputs_));
     verdict_.variants = 0;
     verdict_.candidates = std::max(verdict_.candidates, 1);
@@ -230,7 +236,7 @@ class ModuleCheck {
   }
 
   void conclude(Verdict verdict, const std::string& code, const std::string& reason) {
-    if (inconsistent_) {
+    if (ever_inconsistent_) {
       end(Verdict::kUntestable, "device.inconsistent",
           "the device draws the module and its prepared form differently, though both compute the same, and all variants equal the prepared one");
       return;
@@ -239,7 +245,10 @@ class ModuleCheck {
                                ? "the shader enlarges rounding errors itself: bit for bit with NoContraction on both sides, and the terms are the same"
                            : worst_ == Judgement::kRounded ? "within 1e-5, where the device rounds the same terms differently"
                                                             : "";
-    end(verdict, code, reason.empty() || *rounding == '\0' ? reason + rounding : reason + "; " + rounding);
+    std::string text = reason;
+    for (const std::string& note : {std::string(rounding), divergenceNote(player_->program(), player_->leftOut())})
+      if (!note.empty()) text += (text.empty() ? "" : "; ") + note;
+    end(verdict, code, text);
   }
 
   // Whether what was seen says something, if that is asked. Seen in the first strategy that takes the candidate, before time is spent
@@ -260,6 +269,8 @@ class ModuleCheck {
       if (held++ > 0 || !must_show) continue;
       REPRISE_ASSIGN(const bool shows, showsSomething(candidate, strategy.name, frames->moving));
       if (!shows) return false;
+      shown_candidate_ = &candidate;
+      shown_strategy_ = strategy.name;
     }
     return held == 0 ? Result<bool>(last_refusal_) : Result<bool>(true);
   }
@@ -295,7 +306,9 @@ class ModuleCheck {
 
   std::string placeText(const BrokenLaw& broken) const {
     const Violation& violation = broken.violation;
-    return fmt::format("seed {}, frame {}, pixel ({}, {}): expected {}, found {}", inputs_.seed, broken.frame, violation.pixel % inputs_.width,
+    std::string integers;
+    for (const IntegerValue& one : inputs_.integers) integers += (integers.empty() ? ", integers " : " ") + std::to_string(one.value);
+    return fmt::format("seed {}{}, frame {}, pixel ({}, {}): expected {}, found {}", inputs_.seed, integers, broken.frame, violation.pixel % inputs_.width,
                        violation.pixel / inputs_.width, violation.expected, violation.found);
   }
 
@@ -312,11 +325,13 @@ class ModuleCheck {
   HarnessOptions inputs_;
   std::shared_ptr<OriginalFrames> originals_;
   Interpreted interpreted_;
-  bool inconsistent_ = false;
+  bool inconsistent_ = false, ever_inconsistent_ = false;  // the device, with these inputs; with any
   bool may_show_undefined_ = false, looked_at_undefined_ = false;
   int shown_seeds_ = 0;
   Judgement worst_ = Judgement::kEqual;
   std::optional<Unshown> unshown_;
+  const Candidate* shown_candidate_ = nullptr;  // whose cache showed, in this strategy
+  std::string shown_strategy_;
   Error last_refusal_{ErrorKind::kRefused, "strategy.none", "no strategy takes this shader", {}};
 };
 

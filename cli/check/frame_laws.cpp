@@ -68,12 +68,12 @@ std::vector<ChannelKind> channelKinds(const std::vector<FragmentOutput>& outputs
   return kinds;
 }
 
-Meaning meaningOf(const HarnessFrame& original, const std::vector<FragmentOutput>& outputs) {
+Meaning meaningOf(const HarnessFrame& original, const std::vector<FragmentOutput>& outputs, const std::vector<bool>* left_out) {
   std::size_t drawn = 0, finite = 0;
   bool varies = false;
   std::optional<std::size_t> first;
   for (std::size_t pixel = 0; pixel < original.depth.size(); ++pixel) {
-    if (!covered(original, pixel)) continue;
+    if (!covered(original, pixel) || (left_out != nullptr && (*left_out)[pixel])) continue;
     ++drawn;
     bool all_finite = true;
     for (std::size_t output = 0; output < outputs.size(); ++output) {

@@ -42,14 +42,14 @@ std::vector<ChannelKind> channelKinds(const std::vector<FragmentOutput>& outputs
 // Whether two frames of floats have the same colours, within a tolerance as ColorLaw has it.
 bool sameColors(const HarnessFrame& a, const HarnessFrame& b, double tolerance);
 
-// What an original's frame can show. kNothing: too little covered, or not finite. kConstant: the same everywhere, so that a
+// What an original's frame can show, but for pixels that are left out. kNothing: too little covered, or not finite. kConstant: the same everywhere, so that a
 // comparison says something, but nothing of a cache.
 enum class Showing { kNothing, kConstant, kVaries };
 struct Meaning {
   Showing shows = Showing::kVaries;
   std::string why;  // empty if it varies
 };
-Meaning meaningOf(const HarnessFrame& original, const std::vector<FragmentOutput>& outputs);
+Meaning meaningOf(const HarnessFrame& original, const std::vector<FragmentOutput>& outputs, const std::vector<bool>* left_out = nullptr);
 
 std::size_t countKind(const HarnessFrame& frame, std::uint8_t kind);  // 1 hits, 2 misses
 

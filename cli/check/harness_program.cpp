@@ -17,4 +17,9 @@ Result<ShaderProgram> harnessProgram(const CompiledShader& vertex, const Compile
   return readProgram(vertex, fragment, lenient);
 }
 
+Result<ShaderProgram> harnessProgram(const CompiledShader& fragment) {
+  REPRISE_ASSIGN(const CompiledShader vertex, harnessVertex(fragment));
+  return harnessProgram(vertex, fragment);
+}
+
 }  // namespace reprise

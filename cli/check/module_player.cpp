@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cli/check/divergent_quads.h"
 #include "cli/check/reference/play_original.h"
 #include "compiler/ir/reproducible.h"
 #include "compiler/strategies/refuse_variant.h"
@@ -40,8 +41,8 @@ ShaderProgram strictProgram(const ShaderProgram& program) {
 
 std::vector<std::uint32_t> preparedWords(const ShaderProgram& program) { return writeModule(program.fragment->module); }
 
-ModulePlayer::ModulePlayer(const Context& context, Commands& commands, ShaderProgram program, Reference reference)
-    : context_(context), commands_(commands), program_(std::move(program)), reference_(std::move(reference)) {}
+ModulePlayer::ModulePlayer(const Context& context, Commands& commands, ShaderProgram program, Reference reference, const StateLimits& limits)
+    : context_(context), commands_(commands), program_(std::move(program)), reference_(std::move(reference)), limits_(limits) {}
 
 const ShaderProgram& ModulePlayer::programOf(bool no_contraction) {
   if (!no_contraction) return program_;
@@ -53,6 +54,7 @@ Result<void> ModulePlayer::setInputs(const HarnessOptions& inputs) {
   inputs_ = inputs;
   REPRISE_ASSIGN(Harness harness, Harness::create(context_, commands_, program_.interface, inputs));
   harness_ = std::make_unique<Harness>(std::move(harness));
+  REPRISE_ASSIGN(left_out_, divergentQuads({context_, commands_, program_, inputs}, kMovingFrames));
   return {};
 }
 
@@ -68,7 +70,7 @@ Result<Originals> ModulePlayer::originals(bool no_contraction) {
 }
 
 Result<Player> ModulePlayer::variantPlayer(const ShaderProgram& program, const Candidate& candidate, const VariantOptions& options) {
-  REPRISE_ASSIGN(const Package package, buildPackage(program, candidate, options, {true, true, true}));
+  REPRISE_ASSIGN(const Package package, buildPackage(program, candidate, options, limits_));
   REPRISE_ASSIGN(Player player, harness_->createPlayer(package, false));
   if (!player.originalReason().empty()) return Error{ErrorKind::kRefused, "device.requirement", player.originalReason(), {}};
   return player;
@@ -104,6 +106,7 @@ Result<bool> ModulePlayer::poisonShows(const Candidate& candidate, const std::st
 LawTerms ModulePlayer::terms(const Candidate* candidate, const std::string& strategy) const {
   const std::vector<Instruction>& modes = program_.fragment->module.execution_modes;
   LawTerms terms;
+  terms.left_out = left_out_;
   terms.kinds = channelKinds(program_.interface.outputs);
   terms.computed_depth = program_.interface.writes_depth;
   terms.depth_tells_coverage = !(std::any_of(modes.begin(), modes.end(), isEarlyTests) && program_.analysis.discards);

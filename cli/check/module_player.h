@@ -11,12 +11,12 @@ namespace reprise {
 
 class ModulePlayer {
  public:
-  // context and commands must outlive it.
-  ModulePlayer(const Context& context, Commands& commands, ShaderProgram program, Reference reference);
+  // context and commands must outlive it. limits: what the harness and the device allow.
+  ModulePlayer(const Context& context, Commands& commands, ShaderProgram program, Reference reference, const StateLimits& limits = {true, true, true});
 
   const ShaderProgram& program() const { return program_; }
 
-  // What is played from here on. Errors: those of Harness.
+  // What is played from here on, and which pixels are left out of comparisons with it. Errors: those of Harness and divergentQuads.
   Result<void> setInputs(const HarnessOptions& inputs);
 
   // Errors: those of Reference and Harness.
@@ -27,6 +27,9 @@ class ModulePlayer {
   Result<VariantFrames> variant(const Candidate& candidate, const std::string& strategy, bool no_contraction);
   // Whether wrong payloads on purpose change what the variant showed under motion.
   Result<bool> poisonShows(const Candidate& candidate, const std::string& strategy, const std::vector<HarnessFrame>& moving);
+
+  // By frame and pixel, of the inputs that are set.
+  const std::vector<std::vector<bool>>& leftOut() const { return left_out_; }
 
   // Of a candidate in a strategy; of the module itself without one.
   LawTerms terms(const Candidate* candidate, const std::string& strategy) const;
@@ -40,8 +43,10 @@ class ModulePlayer {
   ShaderProgram program_;
   std::unique_ptr<const ShaderProgram> strict_;  // with NoContraction on every operation
   Reference reference_;
+  StateLimits limits_;
   HarnessOptions inputs_;
   std::unique_ptr<Harness> harness_;
+  std::vector<std::vector<bool>> left_out_;
 };
 
 // The module that everything is made from, as it would ship uncached.

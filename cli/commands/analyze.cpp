@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands/annotate.h"
+#include "cli/divergence_warnings.h"
 #include "compiler/ir/prepare.h"
 #include "compiler/source/depfile.h"
 
@@ -17,6 +18,7 @@ struct Listing {
   const PreparedShader& shader;
   const ShaderAnalysis& analysis;
   const std::vector<Candidate>& candidates;
+  const std::vector<DivergenceWarning> warnings;
 };
 
 std::string joined(const std::vector<std::string>& parts) {
@@ -62,6 +64,10 @@ nlohmann::json toJson(const Listing& listing) {
     values.push_back(std::move(value));
   }
   nlohmann::json document = {{"shader_cost", listing.analysis.total_cost}, {"values", std::move(values)}};
+  document["warnings"] = nlohmann::json::array();
+  for (const DivergenceWarning& warning : listing.warnings)
+    document["warnings"].push_back({{"code", kDivergentDerivative}, {"message", warning.message}, {"file", warning.place.file},
+                                    {"line", warning.place.line}, {"column", warning.place.column}});
   if (listing.analysis.refusal)
     document["refusal"] = {{"code", listing.analysis.refusal->code}, {"message", listing.analysis.refusal->message}};
   return document;
@@ -113,13 +119,15 @@ Result<void> analyzeShader(const AnalyzeArguments& arguments, std::ostream& out)
   REPRISE_ASSIGN(const PreparedShader shader, prepareForCaching(module, ""));
   const ShaderAnalysis analysis = analyse(shader);
   const std::vector<Candidate> candidates = enumerateCandidates(shader, analysis, compiled.sources, {});
-  const Listing listing{shader, analysis, candidates};
+  const Listing listing{shader, analysis, candidates, divergenceWarnings(shader, analysis, compiled.sources)};
   if (arguments.json) {
     out << toJson(listing).dump(2) << '\n';
     return {};
   }
   out << fmt::format("{}: cost {:.0f} (in scalar additions)\n", arguments.shader, analysis.total_cost);
   if (analysis.refusal) out << "no variant can be made: " << analysis.refusal->message << " [" << analysis.refusal->code << "]\n";
+  for (const DivergenceWarning& warning : listing.warnings)
+    out << fmt::format("{}: warning: {} [{}]\n", placeText(warning.place), warning.message, kDivergentDerivative);
   out << '\n';
   if (arguments.annotate) {
     printAnnotated({shader, analysis, candidates, compiled.sources}, out);

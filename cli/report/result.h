@@ -27,11 +27,18 @@ inline constexpr int kResultFormatVersion = 1;
 // before everything else in summaries and pages.
 inline constexpr const char* kMotionSuspect = "motion.suspect";
 
+// Whether pixels that are not drawn read storage buffers for their neighbours' derivatives (runtime/vulkan/lane_probe.h).
+struct RunLanes {
+  bool helper = true, rejected = true, discarded = true;
+  bool operator==(const RunLanes&) const = default;
+};
+
 struct RunDevice {
   std::string name;    // as Vulkan reports it: "llvmpipe (LLVM 15.0.6, 256 bits)"
   std::string driver;  // name and version
   bool cpu = false;    // a CPU device: the binding clock is process CPU time
   std::string host;    // processor and number of cores; may be empty
+  std::optional<RunLanes> lanes = std::nullopt;  // of runs that looked
   bool operator==(const RunDevice&) const = default;
 };
 

@@ -19,8 +19,13 @@ constexpr std::array kStatusNames = {"trained", "pruned", "not_reached", "failed
 // of their type.
 
 template <class A>
+void fields(A& a, RunLanes& l) {
+  a("helper", l.helper), a("rejected", l.rejected), a("discarded", l.discarded);
+}
+template <class A>
 void fields(A& a, RunDevice& d) {
   a("name", d.name), a("driver", d.driver), a("cpu", d.cpu), a("host", d.host);
+  a.later("lanes", d.lanes);
 }
 template <class A>
 void fields(A& a, RunShader& s) {

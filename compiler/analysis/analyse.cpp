@@ -7,6 +7,7 @@
 #include <map>
 #include <unordered_map>
 
+#include "compiler/analysis/buffer_reads.h"
 #include "compiler/analysis/components.h"
 #include "compiler/analysis/operation_cost.h"
 
@@ -306,6 +307,9 @@ ShaderAnalysis analyse(const PreparedShader& shader) {
   analysis.differentiated = neededBy(graph, [&](std::size_t i) {
     return analysis.live[i] && takesImplicitDerivative(graph.nodes[i].instruction->opcode);
   });
+  const std::vector<bool> buffers = readsOfBuffers(shader.module, graph);
+  for (std::size_t i = 0; i < graph.nodes.size(); ++i) analysis.derivatives_read_buffers |= buffers[i] && analysis.differentiated[i];
+  analysis.divergence = findDivergence(shader, graph, analysis.live);
   analysis.decides_coverage = neededBy(graph, [&](std::size_t i) { return decidesCoverage(shader.module, graph, i); });
   analysis.refusal = findRefusal(shader, analysis);
   if (finder.tooMany() && !analysis.refusal)

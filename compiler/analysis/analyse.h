@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/analysis/divergence.h"
 #include "compiler/analysis/value_graph.h"
 #include "compiler/ir/prepare.h"
 #include "compiler/source/compile.h"
@@ -42,6 +43,8 @@ struct ShaderAnalysis {
   double total_cost = 0;                     // of the live nodes
   bool takes_derivatives = false;            // live implicit-LOD samples or derivatives
   std::vector<bool> differentiated;          // by node: a live implicit-LOD sample or derivative depends on it
+  bool derivatives_read_buffers = false;     // one of those is a read of a storage buffer (buffer_reads.h)
+  Divergence divergence;                     // derivatives whose lanes may have parted
   std::vector<bool> decides_coverage;        // by node: which fragments are discarded, or their depth, depends on it
   bool discards = false;                     // or demotes, or writes the sample mask
   // Why no variant of this shader can be made, if so: shader.side_effects, shader.subgroup, shader.interlock,

@@ -105,6 +105,7 @@ class RecipeBuilder {
     recipe().flags = repairs(strategy_) ? MissFlagging::kTiles : flagsDraws(strategy_) ? MissFlagging::kDraws : MissFlagging::kNone;
     recipe().requirements.fragment_stores = recipe().flags != MissFlagging::kNone;
     recipe().requirements.shared_inputs = recipe().flags == MissFlagging::kTiles;
+    recipe().requirements.rejected_lanes_load = needsRejectedLanes(strategy_, program_);
     recipe().requirements.conditional_rendering = recipe().flags == MissFlagging::kDraws;
     if (!strategy_.caches) return;
     recipe().requirements.linear_filter = options_.filter == Filter::kBilinear;

@@ -34,6 +34,10 @@ struct StateLimits {
   bool stencil = false;
   bool shared_inputs = false;  // what the fragment shader reads besides varyings is the same for all draws of a frame
   bool several_draws = true;   // a frame has more than one
+  // Of the device that is measured on: lanes that early tests reject load from storage buffers. Where no device is known, what is built says
+  // what it needs (Requirements::rejected_lanes_load).
+  bool rejected_lanes_load = true;
+  std::string device;          // its name, for the refusal
 };
 
 struct BuiltRecipe {
@@ -42,7 +46,7 @@ struct BuiltRecipe {
 };
 
 // Errors (kRefused): shader.*, vertex.*, variable.use (see the transforms); state.depth_compare, state.no_stencil,
-// state.targets, state.early_tests, state.computed_depth, state.shared_inputs, state.one_draw; repair.derivatives, repair.discards, repair.input;
+// device.rejected_lanes; state.targets, state.early_tests, state.computed_depth, state.shared_inputs, state.one_draw; repair.derivatives, repair.discards, repair.input;
 // filter.integer (an integer payload with another filter than
 // nearest); strategy.unknown (kInput). Every module has passed the validator: one that does not is our bug and reported as
 // kRefused rewrite.invalid, so that a run goes on. `candidate` is not looked at by strategies that do not cache.

@@ -25,6 +25,10 @@ std::optional<Error> refuseState(const Strategy& strategy, const ShaderProgram& 
                                                "' needs equal depths in several passes, which drivers need not compute for a shader that writes depth");
   if (strategy.rejects_by_depth && !limits.strict_depth_with_writes)
     return refused("state.depth_compare", "'" + strategy.name + "' tells hits from misses by depth and needs a LESS or GREATER test with writes");
+  if (needsRejectedLanes(strategy, program) && !limits.rejected_lanes_load)
+    return refused("device.rejected_lanes",
+                   "'" + strategy.name + "' rejects a part of a quad, and on " + (limits.device.empty() ? "this device" : "'" + limits.device + "'") +
+                       " rejected pixels read nothing from storage buffers, so that the derivatives that this shader takes of such reads would be wrong beside them");
   if (flagsDraws(strategy) && !limits.several_draws)
     return refused("state.one_draw", "'" + strategy.name + "' leaves out objects without misses, and there is only one object");
   if (strategy.needs_stencil && !limits.stencil)
@@ -52,6 +56,10 @@ std::optional<Error> refuseRepair(const Strategy& strategy, const ShaderProgram&
 bool isEarlyTests(const Instruction& execution_mode) {
   return execution_mode.opcode == spv::Op::OpExecutionMode &&
          static_cast<spv::ExecutionMode>(execution_mode.word(1)) == spv::ExecutionMode::EarlyFragmentTests;
+}
+
+bool needsRejectedLanes(const Strategy& strategy, const ShaderProgram& program) {
+  return strategy.caches && strategy.selectable && !repairs(strategy) && strategy.passes.size() > 1 && program.analysis.derivatives_read_buffers;
 }
 
 bool decidesDepth(const ShaderProgram& program) { return program.analysis.discards || program.interface.writes_depth; }

@@ -10,6 +10,7 @@
 
 #include "profiler/harness/made_up_descriptors.h"
 #include "profiler/scene/mesh.h"
+#include "runtime/vulkan/lane_probe.h"
 #include "runtime/vulkan/readback.h"
 
 namespace reprise {
@@ -214,6 +215,10 @@ Result<Player> Harness::createPlayer(const Package& package, bool original) cons
   pipeline.depth_format = kDepthFormat;
   pipeline.conditional_rendering = state.context->has_conditional_rendering();
   pipeline.draws_share_inputs = true;  // all meshes are drawn with one set of made-up inputs
+  if (package.variant.requirements.rejected_lanes_load) {
+    REPRISE_ASSIGN(const LaneLoads lanes, probeLanes(*state.context));
+    pipeline.rejected_lanes_load = lanes.rejected;
+  }
   const FunctionSource functions = state.context->functions();
   PlayerOptions options;
   options.frames_in_flight = 1;

@@ -7,6 +7,7 @@
 #include "profiler/session/scene_draws.h"
 #include "profiler/session/shadow_pass.h"
 #include "profiler/session/vertex_layout.h"
+#include "runtime/vulkan/lane_probe.h"
 
 namespace reprise {
 namespace {
@@ -123,6 +124,10 @@ Result<Player> SceneRenderer::createPlayer(const Package& package, const PlayerO
   pipeline.depth_format = depthFormat();
   pipeline.draws_share_inputs = drawsShareInputs(*state.scenario, *state.interface);
   pipeline.conditional_rendering = state.context->has_conditional_rendering();
+  if (package.variant.requirements.rejected_lanes_load) {
+    REPRISE_ASSIGN(const LaneLoads lanes, probeLanes(*state.context));
+    pipeline.rejected_lanes_load = lanes.rejected;
+  }
   const FunctionSource functions = state.context->functions();
   return Player::create({functions.instance, state.context->view().physical_device, functions.device, functions.get_instance_proc_addr,
                          functions.get_device_proc_addr},

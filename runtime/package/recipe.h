@@ -26,7 +26,7 @@
 
 namespace reprise {
 
-inline constexpr int kRecipeFormatVersion = 6;
+inline constexpr int kRecipeFormatVersion = 7;
 inline constexpr std::size_t kMostColorTargets = 8;  // of a pass; every desktop device has as many
 inline constexpr std::size_t kMostPayloadTargets = 4;                              // of four channels each
 inline constexpr std::size_t kMostPayloadChannels = 4 * kMostPayloadTargets;
@@ -236,6 +236,7 @@ struct Requirements {
   bool fragment_stores = false;         // fragmentStoresAndAtomics
   bool shared_inputs = false;           // what the fragment shader reads besides varyings is the same for all draws of a frame
   bool conditional_rendering = false;   // VK_EXT_conditional_rendering
+  bool rejected_lanes_load = false;     // lanes that early tests reject load from storage buffers, for their neighbours' derivatives
   bool operator==(const Requirements&) const = default;
 };
 

@@ -152,13 +152,14 @@ json toJson(const Requirements& needs) {
   return {{"stencil", needs.stencil}, {"depth_less_or_greater", needs.depth_less_or_greater},
           {"independent_blend", needs.independent_blend}, {"linear_filter", needs.linear_filter},
           {"color_attachments", needs.color_attachments}, {"fragment_stores", needs.fragment_stores},
-          {"shared_inputs", needs.shared_inputs}, {"conditional_rendering", needs.conditional_rendering}};
+          {"shared_inputs", needs.shared_inputs}, {"conditional_rendering", needs.conditional_rendering},
+          {"rejected_lanes_load", needs.rejected_lanes_load}};
 }
 
 Requirements requirementsFrom(const json& from) {
   return {boolAt(from, "stencil"), boolAt(from, "depth_less_or_greater"), boolAt(from, "independent_blend"),
           boolAt(from, "linear_filter"), integerAt<int>(from, "color_attachments"), boolAt(from, "fragment_stores"),
-          boolAt(from, "shared_inputs"), boolAt(from, "conditional_rendering")};
+          boolAt(from, "shared_inputs"), boolAt(from, "conditional_rendering"), boolAt(from, "rejected_lanes_load")};
 }
 
 }  // namespace

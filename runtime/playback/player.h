@@ -59,6 +59,9 @@ struct ApplicationPipeline {
   // The application's word, which packages of strategy two_pass_objects need: the device has VK_EXT_conditional_rendering with its feature
   // conditionalRendering and fragmentStoresAndAtomics enabled, and draw callbacks use no conditional rendering of their own.
   bool conditional_rendering = false;
+  // The application's word, which packages need that reject a part of a quad under a shader whose derivatives depend on storage buffers: on
+  // this device lanes that early tests reject load from storage buffers (runtime/vulkan/lane_probe.h finds out).
+  bool rejected_lanes_load = false;
 };
 
 struct ColorTarget {

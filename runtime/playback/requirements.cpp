@@ -34,6 +34,8 @@ std::string missingState(const Recipe& recipe, const ApplicationPipeline& applic
     return "descriptor set " + std::to_string(recipe.reprise_set) + " is taken by the application";
   if (recipe.requirements.shared_inputs && !application.draws_share_inputs)
     return "the strategy needs all draws of a frame to share what the fragment shader reads, which the application does not say (ApplicationPipeline::draws_share_inputs)";
+  if (recipe.requirements.rejected_lanes_load && !application.rejected_lanes_load)
+    return "the shader takes derivatives of what it reads from storage buffers, and the application does not say that lanes which early tests reject read them on this device (ApplicationPipeline::rejected_lanes_load)";
   if (recipe.requirements.conditional_rendering && !application.conditional_rendering)
     return "the strategy needs VK_EXT_conditional_rendering, which the device lacks or the application does not enable (ApplicationPipeline::conditional_rendering)";
   return "";

@@ -2,13 +2,15 @@
 
 namespace reprise {
 
-Result<Commands> Commands::create(const Context& context) {
+Result<Commands> Commands::create(const Context& context) { return create(context.view(), context.queue(), context.queue_family()); }
+
+Result<Commands> Commands::create(const DeviceView& device, VkQueue queue, std::uint32_t queue_family) {
   Commands commands;
-  commands.context_ = &context;
-  const DeviceView& device = context.view();
+  commands.device_ = device;
+  commands.queue_ = queue;
   VkCommandPoolCreateInfo pool_create{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
   pool_create.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
-  pool_create.queueFamilyIndex = context.queue_family();
+  pool_create.queueFamilyIndex = queue_family;
   VkCommandPool pool = VK_NULL_HANDLE;
   REPRISE_VK(device.fn.vkCreateCommandPool(device.device, &pool_create, nullptr, &pool));
   commands.pool_ = {device.device, pool, device.fn.vkDestroyCommandPool};
@@ -30,25 +32,23 @@ Result<void> Commands::run(const std::function<Result<void>(VkCommandBuffer)>& r
 }
 
 Result<void> Commands::record(const std::function<Result<void>(VkCommandBuffer)>& record_commands) {
-  const DeviceView& device = context_->view();
-  REPRISE_VK(device.fn.vkResetCommandBuffer(buffer_, 0));
+  REPRISE_VK(device_.fn.vkResetCommandBuffer(buffer_, 0));
   VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
   begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-  REPRISE_VK(device.fn.vkBeginCommandBuffer(buffer_, &begin));
+  REPRISE_VK(device_.fn.vkBeginCommandBuffer(buffer_, &begin));
   const Result<void> recorded = record_commands(buffer_);
-  REPRISE_VK(device.fn.vkEndCommandBuffer(buffer_));
+  REPRISE_VK(device_.fn.vkEndCommandBuffer(buffer_));
   return recorded;
 }
 
 Result<void> Commands::submitAndWait(double timeout_s) {
-  const DeviceView& device = context_->view();
   VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
   submit.commandBufferCount = 1;
   submit.pCommandBuffers = &buffer_;
   const VkFence fence = fence_.get();
-  REPRISE_VK(device.fn.vkResetFences(device.device, 1, &fence));
-  REPRISE_VK(device.fn.vkQueueSubmit(context_->queue(), 1, &submit, fence));
-  REPRISE_VK(device.fn.vkWaitForFences(device.device, 1, &fence, VK_TRUE, static_cast<std::uint64_t>(timeout_s * 1e9)));
+  REPRISE_VK(device_.fn.vkResetFences(device_.device, 1, &fence));
+  REPRISE_VK(device_.fn.vkQueueSubmit(queue_, 1, &submit, fence));
+  REPRISE_VK(device_.fn.vkWaitForFences(device_.device, 1, &fence, VK_TRUE, static_cast<std::uint64_t>(timeout_s * 1e9)));
   return {};
 }
 

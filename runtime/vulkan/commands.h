@@ -11,6 +11,7 @@ namespace reprise {
 class Commands {
  public:
   static Result<Commands> create(const Context& context);
+  static Result<Commands> create(const DeviceView& device, VkQueue queue, std::uint32_t queue_family);
 
   // Records with `record`, submits, waits for the fence. Errors: that of `record`; device.timeout after timeout_s; device.lost.
   Result<void> run(const std::function<Result<void>(VkCommandBuffer)>& record, double timeout_s = 20);
@@ -20,7 +21,8 @@ class Commands {
   Result<void> submitAndWait(double timeout_s);
 
  private:
-  const Context* context_ = nullptr;
+  DeviceView device_;
+  VkQueue queue_ = VK_NULL_HANDLE;
   Handle<VkCommandPool> pool_;
   VkCommandBuffer buffer_ = VK_NULL_HANDLE;
   Handle<VkFence> fence_;

@@ -110,9 +110,12 @@ int firstUsable(const std::vector<VkPhysicalDevice>& devices) {
 }
 
 Result<int> chooseDevice(const std::vector<DeviceSummary>& devices, const std::string& wanted) {
+  // Names have digits, too.
+  for (const DeviceSummary& device : devices)
+    if (std::to_string(device.index) == wanted) return device.index;
   std::string known;
   for (const DeviceSummary& device : devices) {
-    if (std::to_string(device.index) == wanted || device.name.find(wanted) != std::string::npos) return device.index;
+    if (device.name.find(wanted) != std::string::npos) return device.index;
     known += (known.empty() ? "" : ", ") + std::to_string(device.index) + " '" + device.name + "'";
   }
   return Error{ErrorKind::kMachine, "device.unknown", "no Vulkan device matches '" + wanted + "'; there are " + known, {}};

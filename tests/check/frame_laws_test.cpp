@@ -109,6 +109,8 @@ TEST(MeaninglessInputs, AreToldWithTheReason) {
   EXPECT_NE(constant.why.find("the same"), std::string::npos);
   const float infinite = std::numeric_limits<float>::infinity();
   EXPECT_NE(meaningOf(frameOf(infinite, infinite), outputs).why.find("not finite"), std::string::npos);
+  const std::vector<bool> left_out = {false, true, true};
+  EXPECT_NE(meaningOf(frameOf(1, 2), outputs, &left_out).why.find("covers 0"), std::string::npos) << "nothing would be compared";
   HarnessFrame empty = frameOf(1, 2);
   empty.depth = {kClear, kClear, kClear};
   EXPECT_NE(meaningOf(empty, outputs).why.find("covers 0"), std::string::npos);

@@ -28,10 +28,15 @@ TEST(ReferenceMessages, ComeBackAsTheyWere) {
   ask.inputs.seed = 9;
   ask.frames = 4;
   ask.no_contraction = true;
+  IntegerInput input;
+  input.kind = IntegerInput::Kind::kBlock;
+  input.set = 1, input.binding = 2, input.offsets = {4, 20};
+  ask.inputs.integers = {{input, 3}, {IntegerInput{}, 1}};
   const ReferenceAsk ask_back = askFrom(messageOf(ask));
   EXPECT_EQ(ask_back.inputs.seed, 9u);
   EXPECT_EQ(ask_back.frames, 4);
   EXPECT_TRUE(ask_back.no_contraction);
+  EXPECT_EQ(ask_back.inputs.integers, ask.inputs.integers);
   HarnessFrame frame;
   frame.colors = {{1, 2, 3, 4}, {5, 6, 7, 8}};
   frame.depth = {9};

@@ -329,6 +329,7 @@ TEST(Scenarios, AreRepairedButForThoseThatDiscardTakeDerivativesOrLabelObjects) 
     if (refusal) refused[std::filesystem::path(file).stem()] = refusal->code;
   }
   EXPECT_EQ(refused, (std::map<std::string, std::string>{{"discard", "repair.discards"},
+                                                          {"edges", "repair.derivatives"},
                                                           {"labels", "state.shared_inputs"},
                                                           {"textures", "repair.derivatives"}}));
 }

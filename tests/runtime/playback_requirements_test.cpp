@@ -75,6 +75,17 @@ TEST_F(Requirement, TheApplicationsWordThatDrawsShareTheirInputs) {
   expectOriginal(package, "share what the fragment shader reads");
 }
 
+TEST_F(Requirement, TheApplicationsWordThatRejectedLanesLoad) {
+  Package package = accumulatingPackage();
+  package.variant.requirements.rejected_lanes_load = true;
+  expectOriginal(package, "ApplicationPipeline::rejected_lanes_load");
+  ApplicationPipeline promising = pipeline();
+  promising.rejected_lanes_load = true;
+  const Result<Player> player = Player::create(handles(), package, promising, {});
+  ASSERT_TRUE(player.ok()) << formatError(player.error());
+  EXPECT_FALSE(player->playsOriginal()) << player->originalReason();
+}
+
 TEST_F(Requirement, TheApplicationsWordThatConditionalRenderingIsEnabled) {
   ApplicationPipeline silent = pipeline();
   silent.conditional_rendering = false;

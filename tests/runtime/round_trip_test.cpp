@@ -93,7 +93,7 @@ Recipe anyRecipe() {
   recipe.period_frames = oneOf({kNeverRefresh, 1u, 64u});
   recipe.previous = oneOf({PreviousImage::kLastFrame, PreviousImage::kOtherEye});
   recipe.payload = some<PayloadValue>(anyPayload);
-  recipe.requirements = {anyBool(), anyBool(), anyBool(), anyBool(), anyInt(), anyBool(), anyBool(), anyBool()};
+  recipe.requirements = {anyBool(), anyBool(), anyBool(), anyBool(), anyInt(), anyBool(), anyBool(), anyBool(), anyBool()};
   recipe.reprise_set = anyCount();
   recipe.uses_reprise_set = anyBool();
   recipe.flags = oneOf({MissFlagging::kNone, MissFlagging::kTiles, MissFlagging::kDraws});

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "runtime/playback/formats.h"
+#include "runtime/vulkan/lane_probe.h"
 #include "runtime/vulkan/readback.h"
 #include "runtime/vulkan/upload.h"
 
@@ -132,6 +133,23 @@ TEST_F(Vulkan, FormatsThatCannotBeReadAreRefused) {
   const auto bytes = readback.read(*commands_, {VK_NULL_HANDLE, VK_FORMAT_BC7_UNORM_BLOCK, {4, 4}});
   ASSERT_FALSE(bytes.ok());
   EXPECT_EQ(bytes.error().code, "readback.format");
+}
+
+// The validation layer is silent about it; what comes of it is the device's, and the same every time.
+TEST_F(Vulkan, LanesAreProbed) {
+  const Result<LaneLoads> lanes = probeLanes(*context_);
+  ASSERT_TRUE(lanes.ok()) << formatError(lanes.error());
+  EXPECT_EQ(*lanes, probeLanes(*context_).value());
+  const DeviceSummary& device = context_->summary();
+  if (device.name.find("llvmpipe") == std::string::npos || device.driver.find("Mesa 22.3") == std::string::npos)
+    GTEST_SKIP() << "what is expected is known of Mesa 22.3's lavapipe alone";
+  EXPECT_EQ(*lanes, (LaneLoads{false, false, false})) << describeLanes(*lanes);
+}
+
+TEST(Lanes, AreDescribedByThoseThatDoNotLoad) {
+  EXPECT_EQ(describeLanes({true, true, true}), "yes");
+  EXPECT_EQ(describeLanes({false, false, true}), "no (helper, rejected)");
+  EXPECT_EQ(describeLanes({true, true, false}), "no (discarded)");
 }
 
 TEST(ToFloats, EveryFormatOfARecipeCanBeReadBack) {

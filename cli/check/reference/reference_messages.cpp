@@ -53,8 +53,12 @@ ReferenceModule moduleFrom(const PipeMessage& message) {
 }
 
 PipeMessage messageOf(const ReferenceAsk& ask) {
+  Json integers = Json::array();
+  for (const IntegerValue& one : ask.inputs.integers)
+    integers.push_back({{"kind", static_cast<int>(one.input.kind)}, {"location", one.input.location}, {"component", one.input.component},
+                        {"set", one.input.set}, {"binding", one.input.binding}, {"offsets", one.input.offsets}, {"value", one.value}});
   return {textOf({{"seed", ask.inputs.seed}, {"width", ask.inputs.width}, {"height", ask.inputs.height}, {"frames", ask.frames},
-                  {"no_contraction", ask.no_contraction}}), {}};
+                  {"no_contraction", ask.no_contraction}, {"integers", integers}}), {}};
 }
 
 ReferenceAsk askFrom(const PipeMessage& message) {
@@ -65,6 +69,17 @@ ReferenceAsk askFrom(const PipeMessage& message) {
   ask.inputs.height = head.at("height");
   ask.frames = head.at("frames");
   ask.no_contraction = head.at("no_contraction");
+  for (const Json& described : head.at("integers")) {
+    IntegerValue one;
+    one.input.kind = static_cast<IntegerInput::Kind>(described.at("kind").get<int>());
+    one.input.location = described.at("location");
+    one.input.component = described.at("component");
+    one.input.set = described.at("set");
+    one.input.binding = described.at("binding");
+    one.input.offsets = described.at("offsets").get<std::vector<std::uint32_t>>();
+    one.value = described.at("value");
+    ask.inputs.integers.push_back(std::move(one));
+  }
   return ask;
 }
 
