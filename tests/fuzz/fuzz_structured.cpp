@@ -50,14 +50,23 @@ std::optional<Run> readWords(int count, char** words) {
   return run;
 }
 
-bool differs(std::uint64_t seed, const std::string& text, Promotion promotion) {
-  const std::optional<RandomModule> module = moduleOf(seed, text);
-  return module && judgePreparation(module->words, promotion).verdict == Judgement::Verdict::kDifferent;
+const char* wordsOf(Judgement::Verdict verdict) {
+  switch (verdict) {
+    case Judgement::Verdict::kSame: return "is the same";
+    case Judgement::Verdict::kRefused: return "is refused";
+    case Judgement::Verdict::kUntold: return "is not told";
+    case Judgement::Verdict::kInvalid: return "becomes invalid";
+    case Judgement::Verdict::kDifferent: return "differs";
+  }
+  return "";
 }
 
-void writeFinding(const Run& run, std::uint64_t seed, std::string text) {
-  if (run.reduce)
-    text = reduceShader(text, [&](const std::string& shorter) { return differs(seed, shorter, run.promotion); });
+void writeFinding(const Run& run, std::uint64_t seed, std::string text, Judgement::Verdict verdict) {
+  const auto shows = [&](const std::string& shorter) {
+    const std::optional<RandomModule> module = moduleOf(seed, shorter);
+    return module && judgePreparation(module->words, run.promotion).verdict == verdict;
+  };
+  if (run.reduce) text = reduceShader(text, shows);
   const std::string path = run.out + "/seed" + std::to_string(seed) + ".frag";
   if (const Result<void> written = writeFile(path, text); !written.ok()) std::cerr << written.error().message << "\n";
 }
@@ -81,12 +90,10 @@ int main(int count, char** words) {
     undefined += judgement.undefined > 0 ? 1 : 0;
     discarded += judgement.discarded > 0 ? 1 : 0;
     optimized += module.form != "as compiled" ? 1 : 0;
-    if (judgement.verdict == Verdict::kDifferent) ++findings;
+    findings += judgement.finding() ? 1 : 0;
     if (judgement.verdict != Verdict::kSame)
-      std::cout << "seed " << seed << " (" << module.form << ") "
-                << (judgement.verdict == Verdict::kDifferent ? "differs: " : judgement.verdict == Verdict::kRefused ? "is refused: " : "is not told: ")
-                << judgement.what << std::endl;
-    if (judgement.verdict == Verdict::kDifferent && !run->out.empty()) writeFinding(*run, seed, module.text);
+      std::cout << "seed " << seed << " (" << module.form << ") " << wordsOf(judgement.verdict) << ": " << judgement.what << std::endl;
+    if (judgement.finding() && !run->out.empty()) writeFinding(*run, seed, module.text, judgement.verdict);
     if ((done + 1) % 100 == 0) std::cout << done + 1 << " of " << run->count << " modules, " << findings << " findings" << std::endl;
   }
   std::cout << run->count << " modules from seed " << run->first << " (" << optimized << " optimized): " << findings << " findings, " << refused

@@ -23,7 +23,7 @@ Result<Words> prepare(std::span<const std::uint32_t> given, Promotion promotion)
 Judgement judged(Judgement::Verdict verdict, const std::string& what) { return {verdict, what}; }
 
 Judgement ofError(const Error& error) {
-  return judged(error.kind == ErrorKind::kRefused ? Judgement::Verdict::kRefused : Judgement::Verdict::kDifferent,
+  return judged(error.kind == ErrorKind::kRefused ? Judgement::Verdict::kRefused : Judgement::Verdict::kInvalid,
                 error.code + ": " + error.message);
 }
 
@@ -57,7 +57,7 @@ Judgement judgePreparation(std::span<const std::uint32_t> given, Promotion promo
   using Verdict = Judgement::Verdict;
   const Result<Words> prepared = prepare(given, promotion);
   if (!prepared.ok()) return ofError(prepared.error());
-  if (const Result<void> valid = validateModule(*prepared); !valid.ok()) return judged(Verdict::kDifferent, valid.error().message);
+  if (const Result<void> valid = validateModule(*prepared); !valid.ok()) return judged(Verdict::kInvalid, valid.error().message);
   CompareCounts counts;
   const auto compared = compareComputations(given, *prepared, "", CompareOptions{}, &counts);
   if (!compared.ok()) return judged(Verdict::kUntold, compared.error().message);
@@ -76,7 +76,7 @@ Judgement judgePreparation(std::span<const std::uint32_t> given, Promotion promo
 std::optional<std::string> differenceOf(std::uint64_t seed, Promotion promotion) {
   const RandomModule module = randomModule(seed);
   const Judgement judgement = judgePreparation(module.words, promotion);
-  if (judgement.verdict != Judgement::Verdict::kDifferent) return std::nullopt;
+  if (!judgement.finding()) return std::nullopt;
   return "seed " + std::to_string(seed) + " (" + module.form + "): " + judgement.what;
 }
 

@@ -29,10 +29,12 @@ struct Judgement {
     kSame,
     kRefused,    // preparation refuses it, with a code
     kUntold,     // the interpreter does not know an instruction, or no sampled point says anything
-    kDifferent,  // another computation, an invalid module, or preparation fails
+    kInvalid,    // preparation fails, or gives an invalid module
+    kDifferent,  // another computation
   };
   Verdict verdict = Verdict::kSame;
   std::string what;        // one line; empty for kSame
+  bool finding() const { return verdict == Verdict::kInvalid || verdict == Verdict::kDifferent; }
   int undefined = 0;       // sampled points at which the given module's behaviour is undefined
   int endless = 0;         // that it did not come to an end in
   int returned = 0, discarded = 0;
@@ -40,7 +42,7 @@ struct Judgement {
 
 Judgement judgePreparation(std::span<const std::uint32_t> given, Promotion promotion);
 
-// "seed 17 (as compiled): ...", or nothing where the seed's module is none to be told of.
+// "seed 17 (as compiled): ...", or nothing where the seed's module is no finding.
 std::optional<std::string> differenceOf(std::uint64_t seed, Promotion promotion);
 
 }  // namespace reprise

@@ -12,7 +12,7 @@ struct RandomShaderOptions {
   int statements = 4;       // of a function's outermost block, about; nested blocks have fewer
   int depth = 4;            // of nested statements, at most
   int value_depth = 2;      // of nested expressions, at most
-  int most_steps = 2000;    // statements that an invocation may execute, at most, by a cautious count
+  int most_steps = 2500;    // statements that an invocation may execute, at most, by a cautious count
 };
 
 // A shader in GLSL 4.50 for Vulkan, the same for the same seed and options on every machine. It is valid, its loops end, its floats stay

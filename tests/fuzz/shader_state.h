@@ -16,6 +16,7 @@ struct Variable {
   int weight = 1;       // how likely it is taken
   int below = 0;        // counters of loops: they are smaller than this; 0: nothing is known
   bool hidden = false;  // not taken at present
+  bool spared = false;  // nor touched where hidden ones are
 };
 
 struct Parameter {

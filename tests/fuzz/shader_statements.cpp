@@ -40,7 +40,8 @@ void ShaderStatements::block(int statements, const Surroundings& at) {
 void ShaderStatements::statement(const Surroundings& at) {
   state_.cost += state_.times;
   const bool nests = at.depth < state_.options.depth;
-  const std::array<int, 10> weights = {14, 16, 10, 9, 5, nests ? 18 : 0, nests ? 15 : 0, nests ? 6 : 0, 7, at.continues ? 8 : at.is_main ? 1 : 4};
+  const int branches = !nests ? 0 : at.continues ? 30 : 14, loops = !nests ? 0 : at.continues ? 22 : 20;
+  const std::array<int, 10> weights = {12, 14, 10, 8, 5, branches, loops, nests ? 6 : 0, 6, at.continues ? 8 : at.is_main ? 1 : 4};
   switch (random_.weighted(weights)) {
     case 0: return assign();
     case 1: return copy();
@@ -122,7 +123,10 @@ void ShaderStatements::branch(const Surroundings& at) {
   const auto part = [&] {
     ++indent_;
     const ScopeOf scope(state_);
+    touch(at);
+    if (at.continues && inside.depth < state_.options.depth && random_.chance(30)) loop(inside);
     block(size(inside), inside);
+    touch(at);
     if (random_.chance(at.continues ? 35 : at.is_main ? 2 : 8)) jump(inside);
     --indent_;
   };
@@ -132,7 +136,7 @@ void ShaderStatements::branch(const Surroundings& at) {
     line("} else if (" + values_.value(kBool, 2) + ") {");
     part();
   }
-  if (random_.chance(50)) {
+  if (random_.chance(60)) {
     line("} else {");
     part();
   }
@@ -182,18 +186,32 @@ std::vector<std::size_t> ShaderStatements::hideSome() {
   return hidden;
 }
 
+// A scalar that is hidden, most often the first: what several loops and branches do to the same one is what may go wrong.
+std::optional<std::size_t> ShaderStatements::resting() {
+  std::vector<std::size_t> scalars;
+  for (std::size_t i = 0; i < state_.variables.size(); ++i) {
+    const Variable& variable = state_.variables[i];
+    if (variable.hidden && !variable.spared && (variable.type == kInt || variable.type == kFloat)) scalars.push_back(i);
+  }
+  if (scalars.empty()) return std::nullopt;
+  return random_.chance(70) ? scalars.front() : random_.of(scalars);
+}
+
+// Inside of a loop an arm of a branch may change what the loop otherwise leaves alone.
+void ShaderStatements::touch(const Surroundings& at) {
+  if (!at.continues || !random_.chance(35)) return;
+  if (const std::optional<std::size_t> found = resting())
+    compoundOf(state_.variables[*found].name, state_.variables[*found].type == kInt);
+}
+
 void ShaderStatements::loop(const Surroundings& at) {
-  const int most = random_.between(1, 5);
+  const int most = random_.between(1, 4);
   // A body of some ten statements is to be affordable.
   if (!state_.affords(most * 12)) return assign();
   const std::vector<std::size_t> hidden = hideSome();
   // What a loop leaves alone is often set before it and changed behind it; so may be what the loops around it leave alone.
-  std::vector<Variable> alone;
-  for (const Variable& variable : state_.variables)
-    if (variable.hidden && (variable.type == kInt || variable.type == kFloat)) alone.push_back(variable);
-  std::optional<Variable> around;
-  if (!alone.empty() && random_.chance(70)) around = random_.of(alone);
-  if (around && random_.chance(80)) line(around->name + " = " + values_.bounded(around->type, 1) + ";");
+  const std::optional<std::size_t> around = random_.chance(70) ? resting() : std::nullopt;
+  if (around) setAround(*around);
   Surroundings inside = at;
   ++inside.depth;
   inside.breaks = inside.continues = true;
@@ -201,7 +219,15 @@ void ShaderStatements::loop(const Surroundings& at) {
   loopOfForm(most, inside);
   state_.times /= most;
   for (const std::size_t i : hidden) state_.variables[i].hidden = false;
-  if (around) compoundOf(around->name, around->type == kInt);
+  if (!around) return;
+  state_.variables[*around].spared = false;
+  compoundOf(state_.variables[*around].name, state_.variables[*around].type == kInt);
+}
+
+void ShaderStatements::setAround(std::size_t variable) {
+  const Variable around = state_.variables[variable];
+  state_.variables[variable].spared = true;
+  if (random_.chance(80)) line(around.name + " = " + values_.bounded(around.type, 1) + ";");
 }
 
 void ShaderStatements::loopOfForm(int most, const Surroundings& inside) {
@@ -287,7 +313,8 @@ void ShaderStatements::switchCase(const std::string& label, bool last, const Sur
   ++indent_;
   line("{");
   ++indent_;
-  block(random_.between(1, 3), inside);
+  block(random_.between(1, 2), inside);
+  touch(inside);
   if (random_.chance(15)) jump(inside);
   --indent_;
   line("}");

@@ -43,6 +43,9 @@ class ShaderStatements {
   void loop(const Surroundings& at);
   void loopOfForm(int most, const Surroundings& inside);
   std::vector<std::size_t> hideSome();
+  std::optional<std::size_t> resting();
+  void setAround(std::size_t variable);
+  void touch(const Surroundings& at);
   void countingLoop(int most, const Surroundings& inside);
   void guardedLoop(int most, const Surroundings& inside);
   void loopBody(const Surroundings& inside);
