@@ -47,10 +47,7 @@ Result<Module> runPasses(const Module& module, const std::function<void(spvtools
 
 Result<Module> unrollMarkedLoops(const Module& module) {
   return runPasses(module, [](spvtools::Optimizer& optimizer) {
-    optimizer.RegisterPass(spvtools::CreateLoopUnrollPass(true))
-        .RegisterPass(spvtools::CreateDeadBranchElimPass())
-        .RegisterPass(spvtools::CreateCFGCleanupPass())
-        .RegisterPass(spvtools::CreateAggressiveDCEPass(true));
+    optimizer.RegisterPass(spvtools::CreateLoopUnrollPass(true));
   });
 }
 

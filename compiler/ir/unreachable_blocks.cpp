@@ -28,6 +28,11 @@ KeptEmpty statedTargets(const Function& function, const ControlFlow& flow) {
   return kept;
 }
 
+bool leadsToReachable(const Block& block, const ControlFlow& flow) {
+  if (block.terminator().opcode != Op::OpBranch) return false;
+  return flow.reachable[static_cast<std::size_t>(flow.block_of_label.at(block.terminator().word(0)))];
+}
+
 // A phi keeps an operand for each predecessor that is left, undefined from those that are never run.
 void mendPhi(Module& module, Instruction& phi, const std::unordered_set<std::uint32_t>& gone,
              const std::unordered_set<std::uint32_t>& emptied) {
@@ -67,8 +72,11 @@ void removeUnreachableBlocks(Module& module, Function& function) {
     if (header != kept.header_of_continue.end()) {
       emptied.insert(block.label);
       blocks.push_back({block.label, {makeInstruction(Op::OpBranch, 0, 0, {idOperand(header->second)})}});
+    } else if (kept.merges.count(block.label) != 0 && leadsToReachable(block, flow)) {
+      // The way out stays: within a continue construct none but the back edge may be the end.
+      emptied.insert(block.label);
+      blocks.push_back({block.label, {block.terminator()}});
     } else if (kept.merges.count(block.label) != 0) {
-      // It no longer leads to where it did.
       gone.insert(block.label);
       blocks.push_back({block.label, {makeInstruction(Op::OpUnreachable, 0, 0, {})}});
     } else {
@@ -78,7 +86,8 @@ void removeUnreachableBlocks(Module& module, Function& function) {
   function.blocks = std::move(blocks);
   if (gone.empty() && emptied.empty()) return;
   std::unordered_map<std::uint32_t, std::uint32_t> continue_of_header;
-  for (const std::uint32_t label : emptied) continue_of_header[kept.header_of_continue.at(label)] = label;
+  for (const std::uint32_t label : emptied)
+    if (const auto header = kept.header_of_continue.find(label); header != kept.header_of_continue.end()) continue_of_header[header->second] = label;
   for (Block& block : function.blocks)
     for (Instruction& instruction : block.instructions) {
       if (instruction.opcode != Op::OpPhi) continue;
