@@ -93,7 +93,7 @@ TEST_F(DivergentQuads, TheNoteSaysWhereAndHowMany) {
   const ShaderProgram program = programOf("color = vec4(sin(place), 1);\nif (place.x > 0.1)\n  color += dFdx(color);");
   const std::string note = divergenceNote(program, {{true, false, true, true}, {true, false, false, false}});
   EXPECT_NE(note.find("up to 3 pixels"), std::string::npos) << note;
-  EXPECT_NE(note.find("test.frag:7"), std::string::npos) << note;
+  EXPECT_NE(note.find("test.frag:8"), std::string::npos) << note;
 }
 
 // The kept depth and the discards are the original's, or it would mask what something else hides.

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kHead = R"(#version 450
 layout(set = 0, binding = 0) uniform Scene { vec4 tint; ivec4 counts; } scene;
-layout(std430, set = 0, binding = 1) readonly buffer Materials { vec4 list[]; } materials;
+layout(std430, set = 0, binding = 1) readonly buffer Materials { vec4 list[8]; } materials;
 layout(set = 0, binding = 2) uniform sampler2D map;
 layout(location = 0) in vec4 p;
 layout(location = 1) flat in vec4 whole;
