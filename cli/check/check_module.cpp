@@ -56,10 +56,8 @@ class ModuleCheck {
     return verdict_;
   }
 
-  // Of a failure: where it was, and whether undefined values may have a part in it.
+  // Of a failure: where it was, and whether its images alone make it one.
   const HarnessOptions& inputs() const { return inputs_; }
-  bool may_show_undefined() const { return may_show_undefined_; }
-  // Whether its images alone make it one.
   bool is_excusable() const { return failed() && interpreted_.computation != Computation::kDifferent; }
 
  private:
@@ -133,7 +131,7 @@ class ModuleCheck {
       end(Verdict::kUntestable, "inputs.meaningless", fmt::format("with {} seeds from {}: {}", attempt + 1, bench_.request.seed, meaning.why));
       return false;
     }
-    if (!looked_at_undefined_) {  // else only where something differs
+    if (may_show_undefined_ && !looked_at_undefined_) {  // else only where something differs
       REPRISE_ASSIGN(const bool undefined, showsUndefined());
       if (undefined) return true;
     }
@@ -198,7 +196,6 @@ class ModuleCheck {
   }
 
   Result<bool> showsUndefined() {
-    if (!may_show_undefined_) return false;
     looked_at_undefined_ = true;
     REPRISE_ASSIGN(const CompiledShader zeros, withZeros(bench_.given));
     const LawTerms terms = player_->terms(nullptr, "");
@@ -360,7 +357,6 @@ ModuleVerdict unlessExcused(const ModuleVerdict& failed, const ModuleCheck& chec
     return untestable(failed, "original.endless",
                       fmt::format("with seed {} the shader itself loops more than {} times, and the device decides what comes of that",
                                   failed.seed, kEndlessIterations));
-  if (!check.may_show_undefined()) return failed;
   const Result<CompiledShader> zeros = withZeros(bench.given);
   if (!zeros.ok()) return failed;
   const ModuleVerdict defined = ModuleCheck(bench).run(*zeros);

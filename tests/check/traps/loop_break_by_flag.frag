@@ -1,0 +1,26 @@
+// expect: verified
+#version 450
+layout(location = 0) in vec2 uv;
+layout(location = 0) out vec4 color;
+bool never(float x) { return x > 1e20; }
+// A break and a continue that are never taken stand beside a loop in the other branch: SPIRV-Tools' ssa-rewrite gives `acc` its first value.
+void main() {
+  int outer = 1 + int(uv.x * 0.0), inner = 2 + int(uv.y * 0.0), acc = 0, last = 0;
+  float w = 1.0;
+  for (int i = 0; i < outer; ++i) {
+    if (never(uv.x)) {
+      if (never(uv.y)) continue;
+      break;
+    } else {
+      acc = last;
+      for (int j = 0; j < inner; ++j) {
+        last = 1;
+        w *= 0.5;
+      }
+      acc |= last;
+    }
+  }
+  float heavy = 0.0;
+  for (int s = 0; s < 40; ++s) heavy += sin(uv.x * float(s)) * w;
+  color = vec4(vec3(float(acc)), 0.5 + 0.01 * heavy) * (0.5 + 0.5 * uv.y);
+}
