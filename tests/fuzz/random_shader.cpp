@@ -11,7 +11,9 @@ constexpr std::size_t kMostLeaves = 12;  // of a variable
 
 class ShaderWriter {
  public:
-  ShaderWriter(std::uint64_t seed, const RandomShaderOptions& options) : state_(seed, options), statements_(state_) {}
+  ShaderWriter(std::uint64_t seed, const RandomShaderOptions& options) : state_(seed, options), statements_(state_) {
+    narrow_ = random().chance(50);
+  }
 
   std::string write() {
     makeTypes();
@@ -21,7 +23,7 @@ class ShaderWriter {
     text += outputs();
     text += constants();
     text += globals();
-    const int count = state_.random.between(0, state_.options.functions);
+    const int count = narrow_ ? 0 : random().between(0, state_.options.functions);
     for (int i = 0; i < count; ++i) text += function();
     return text + mainFunction();
   }
@@ -88,7 +90,7 @@ class ShaderWriter {
   std::string globals() {
     std::string text;
     const std::vector<int> types = {kInt, kFloat, kInt, kVec3, arrays_.front(), structs_.front()};
-    for (int count = random().between(0, 3), i = 0; i < count; ++i) {
+    for (int count = narrow_ ? 0 : random().between(0, 3), i = 0; i < count; ++i) {
       const int type = random().of(types);
       const std::string name = state_.name("g");
       text += state_.types[type].name + " " + name + " = " + statements_.values().literal(type) + ";\n";
@@ -158,16 +160,21 @@ class ShaderWriter {
     state_.cost = 0;
     statements_.line("color = vec4(0.0);");
     if (two_outputs_) statements_.line("ids = ivec2(0);");
-    statements_.declareCarried({2, 4}, {1, 2});
-    statements_.declare(kBool, "b", 2);
-    statements_.declare(kVec3, "v", 2);
-    declareWholes(random().between(0, 2));
+    statements_.declareCarried({2, narrow_ ? 3 : 4}, {narrow_ ? 0 : 1, narrow_ ? 1 : 2});
+    if (!narrow_) {
+      statements_.declare(kBool, "b", 2);
+      statements_.declare(kVec3, "v", 2);
+      declareWholes(random().between(0, 2));
+    }
     // Sampled and derived where all pixels of a quad come by.
     if (random().chance(30)) {
       statements_.line("float quad = texture(image, uv + 0.1 * place.xy).x + dFdx(uv.y);");
       state_.variables.push_back({"quad", kFloat, true, kWholeWeight});
     }
-    statements_.block(random().between(state_.options.statements, 2 * state_.options.statements), {0, false, false, kNothing, true});
+    const Surroundings at{0, false, false, kNothing, true};
+    statements_.block(random().between(0, state_.options.statements), at);
+    statements_.loop(at);
+    statements_.block(random().between(0, state_.options.statements), at);
     fold();
     return "void main() {\n" + statements_.takeText() + "}\n";
   }
@@ -206,6 +213,7 @@ class ShaderWriter {
   ShaderStatements statements_;
   std::vector<int> structs_, arrays_;
   bool two_outputs_ = false;
+  bool narrow_ = false;  // a few scalars and what is done to them, nothing else
 };
 
 }  // namespace

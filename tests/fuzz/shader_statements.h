@@ -26,6 +26,7 @@ class ShaderStatements {
   // About as many statements, in a scope of their own.
   void block(int statements, const Surroundings& at);
   void returnStatement(const Surroundings& at);
+  void loop(const Surroundings& at);
 
   std::string takeText() { return std::move(text_); }
   ShaderValues& values() { return values_; }
@@ -40,7 +41,6 @@ class ShaderStatements {
   void branch(const Surroundings& at);
   void jump(const Surroundings& at);
   void jumpIf(const Surroundings& at);
-  void loop(const Surroundings& at);
   void loopOfForm(int most, const Surroundings& inside);
   std::vector<std::size_t> hideSome();
   std::optional<std::size_t> resting();

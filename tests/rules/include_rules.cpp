@@ -53,7 +53,7 @@ const std::vector<FolderRule> kFolderRules = {
 // A test folder may use what the folder that it tests may use.
 const std::vector<ThirdPartyRule> kThirdPartyRules = {
     {"glslang", {"glslang/", "SPIRV/"}, {"compiler", "tests/compiler"}},
-    {"SPIRV-Tools", {"spirv-tools/"}, {"compiler", "tests/compiler"}},
+    {"SPIRV-Tools", {"spirv-tools/"}, {"compiler", "tests/compiler", "tests/fuzz"}},
     {"SPIRV-Cross", {"spirv_cross/"}, {"compiler", "tests/compiler"}},
     {"SPIRV-Headers", {"spirv/"}, {"compiler", "cli/check/interpreter", "tests/compiler"}, true},
     {"Ceres", {"ceres/", "Eigen/"}, {"fitting", "tests/fitting"}},
