@@ -13,6 +13,7 @@
 #include "cli/check/endless_loops.h"
 #include "cli/check/harness_program.h"
 #include "cli/check/interpreted.h"
+#include "cli/check/interpreted_bodies.h"
 #include "cli/check/module_player.h"
 #include "cli/check/undefined_values.h"
 #include "compiler/ir/reproducible.h"
@@ -272,10 +273,16 @@ class ModuleCheck {
     return held == 0 ? Result<bool>(last_refusal_) : Result<bool>(true);
   }
 
+  Computation interpretBodiesOf(const Candidate& candidate) {
+    const auto [known, is_new] = bodies_.try_emplace(candidate.id);
+    if (is_new) known->second = interpretBodies(bench_.given.words, *player_->program().fragment, candidate).computation;
+    return known->second;
+  }
+
   Result<VariantFrames> holdStrategy(const Candidate& candidate, const std::string& strategy) {
     REPRISE_ASSIGN(HeldVariant variant,
                    holdVariant(*originals_, inconsistent_, [&](bool no_contraction) { return player_->variant(candidate, strategy, no_contraction); },
-                               player_->terms(&candidate, strategy), interpreted_.computation));
+                               player_->terms(&candidate, strategy), [&] { return interpretBodiesOf(candidate); }));
     worst_ = std::max(worst_, variant.held.judgement);
     if (variant.held.judgement == Judgement::kOurs) fail(candidate.id + " in " + strategy, strategy, *variant.held.difference);
     return std::move(variant.frames);
@@ -322,6 +329,7 @@ class ModuleCheck {
   HarnessOptions inputs_;
   std::shared_ptr<OriginalFrames> originals_;
   Interpreted interpreted_;
+  std::map<std::string, Computation> bodies_;  // what the interpreter says of a candidate's bodies, by its id
   bool inconsistent_ = false, ever_inconsistent_ = false;  // the device, with these inputs; with any
   bool may_show_undefined_ = false, looked_at_undefined_ = false;
   int shown_seeds_ = 0;

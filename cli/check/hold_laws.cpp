@@ -88,7 +88,8 @@ Result<Held> holdPrepared(OriginalFrames& originals, const LawTerms& terms, Comp
   return held;
 }
 
-Result<HeldVariant> holdVariant(OriginalFrames& originals, bool as_prepared, const PlayVariant& play, const LawTerms& terms, Computation interpreted) {
+Result<HeldVariant> holdVariant(OriginalFrames& originals, bool as_prepared, const PlayVariant& play, const LawTerms& terms,
+                                const std::function<Computation()>& interpret) {
   HeldVariant variant;
   REPRISE_ASSIGN(const Originals* as_given, originals.get(false));
   REPRISE_ASSIGN(variant.frames, play(false));
@@ -98,12 +99,13 @@ Result<HeldVariant> holdVariant(OriginalFrames& originals, bool as_prepared, con
   held.difference = findBrokenLaw(expected, variant.frames, terms, 0);
   held.judgement = Judgement::kOurs;
   if (held.difference->violation.law == "law.books") return variant;
-  Evidence evidence{Nearness::kRounded, false, Computation::kUnknown};
+  Evidence evidence{Nearness::kRounded, false, interpret()};
   if (!holds(*as_given, as_prepared, variant.frames, terms, kRounding)) {
     held.difference = findBrokenLaw(expected, variant.frames, terms, kRounding);
-    // The interpreter sees no variant; that a shader enlarges rounding errors it has to say of the module.
-    evidence = {Nearness::kBeyond, false, interpreted};
+    evidence.as_given = Nearness::kBeyond;
   }
+  held.judgement = judge(evidence);
+  if (held.judgement != Judgement::kOurs || evidence.interpreted == Computation::kDifferent) return variant;
   REPRISE_ASSIGN(const Originals* strict, originals.get(true));
   REPRISE_ASSIGN(const VariantFrames strict_frames, play(true));
   evidence.equal_without_contraction = holds(*strict, as_prepared, strict_frames, terms, 0);

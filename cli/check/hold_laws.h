@@ -75,7 +75,9 @@ struct HeldVariant {
 };
 
 // Laws 1 to 4. What equals the prepared module's image bit for bit holds, once that has been judged. as_prepared: it alone is the
-// original (of a device that draws the module itself inconsistently). Errors: those of the plays.
-Result<HeldVariant> holdVariant(OriginalFrames& originals, bool as_prepared, const PlayVariant& play, const LawTerms& terms, Computation interpreted);
+// original (of a device that draws the module itself inconsistently). `interpret` is asked where bits differ: what the interpreter says of
+// the bodies that the variant is made from (interpreted_bodies.h). Errors: those of the plays.
+Result<HeldVariant> holdVariant(OriginalFrames& originals, bool as_prepared, const PlayVariant& play, const LawTerms& terms,
+                                const std::function<Computation()>& interpret);
 
 }  // namespace reprise

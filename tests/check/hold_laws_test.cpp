@@ -90,6 +90,8 @@ TEST(HoldPrepared, NoContractionIsPlayedOnlyWhereItIsAWitness) {
   EXPECT_EQ(strict, 1);
 }
 
+std::function<Computation()> told(Computation computation) { return [computation] { return computation; }; }
+
 TEST(HoldVariant, JudgesByTheRuleOfRounding) {
   const struct {
     float as_given, strict;
@@ -97,13 +99,13 @@ TEST(HoldVariant, JudgesByTheRuleOfRounding) {
     Judgement judgement;
   } cases[] = {
       {1, 9, kUnknown, Judgement::kEqual},         {1.000001f, 7, kUnknown, Judgement::kRounded},
-      {1.000001f, 9, kSame, Judgement::kOurs},  // the interpreter has not seen the variant
+      {1.000001f, 9, kSame, Judgement::kRounded},   {1.000001f, 9, kUnknown, Judgement::kOurs},
       {1.1f, 7, kSame, Judgement::kEnlarged},      {1.1f, 7, kUnknown, Judgement::kOurs},
       {1.1f, 9, kSame, Judgement::kOurs},
   };
   for (const auto& one : cases) {
     OriginalFrames frames = originals(1, 1);
-    const HeldVariant variant = holdVariant(frames, false, playing(one.as_given, one.strict), {}, one.interpreted).value();
+    const HeldVariant variant = holdVariant(frames, false, playing(one.as_given, one.strict), {}, told(one.interpreted)).value();
     EXPECT_EQ(variant.held.judgement, one.judgement) << one.as_given << ' ' << one.strict;
     EXPECT_EQ(variant.held.difference.has_value(), one.as_given != 1);
   }
@@ -111,10 +113,10 @@ TEST(HoldVariant, JudgesByTheRuleOfRounding) {
 
 TEST(HoldVariant, TheImageOfThePreparedModuleWillDo) {
   OriginalFrames frames = originals(1, 1.1f);
-  EXPECT_EQ(holdVariant(frames, false, playing(1.1f, 9), {}, kSame)->held.judgement, Judgement::kEqual);
+  EXPECT_EQ(holdVariant(frames, false, playing(1.1f, 9), {}, told(kSame))->held.judgement, Judgement::kEqual);
   // Of a device that draws the module inconsistently it alone will do.
-  EXPECT_EQ(holdVariant(frames, true, playing(1.1f, 9), {}, kSame)->held.judgement, Judgement::kEqual);
-  EXPECT_EQ(holdVariant(frames, true, playing(1, 9), {}, kSame)->held.judgement, Judgement::kOurs);
+  EXPECT_EQ(holdVariant(frames, true, playing(1.1f, 9), {}, told(kSame))->held.judgement, Judgement::kEqual);
+  EXPECT_EQ(holdVariant(frames, true, playing(1, 9), {}, told(kSame))->held.judgement, Judgement::kOurs);
 }
 
 TEST(HoldVariant, RegroupedChainsHaveTheirToleranceAtHitsOnly) {
@@ -122,9 +124,9 @@ TEST(HoldVariant, RegroupedChainsHaveTheirToleranceAtHitsOnly) {
   terms.stated_at_hits = 1e-4;
   const auto play = [](float hit, float miss) { return [=](bool) -> Result<VariantFrames> { return variantOf(hit, miss); }; };
   OriginalFrames frames = originals(1, 1, 1, 1);
-  EXPECT_EQ(holdVariant(frames, false, play(1.00005f, 1), terms, kUnknown)->held.judgement, Judgement::kEqual);
-  EXPECT_EQ(holdVariant(frames, false, play(1.0005f, 1), terms, kUnknown)->held.judgement, Judgement::kOurs);
-  const Held miss = holdVariant(frames, false, play(1, 1.00005f), terms, kUnknown)->held;
+  EXPECT_EQ(holdVariant(frames, false, play(1.00005f, 1), terms, told(kUnknown))->held.judgement, Judgement::kEqual);
+  EXPECT_EQ(holdVariant(frames, false, play(1.0005f, 1), terms, told(kUnknown))->held.judgement, Judgement::kOurs);
+  const Held miss = holdVariant(frames, false, play(1, 1.00005f), terms, told(kUnknown))->held;
   EXPECT_EQ(miss.judgement, Judgement::kOurs);
   EXPECT_EQ(miss.difference->violation.law, "law.always_refresh");
 }
@@ -136,7 +138,7 @@ TEST(HoldVariant, AHitInTheFirstFrameBreaksTheBooks) {
     played.moving.front().kind = {1, 2};
     return played;
   };
-  const Held held = holdVariant(frames, false, play, {}, kSame)->held;
+  const Held held = holdVariant(frames, false, play, {}, told(kSame))->held;
   EXPECT_EQ(held.judgement, Judgement::kOurs);
   EXPECT_EQ(held.difference->violation.law, "law.books");
 }
@@ -150,16 +152,16 @@ TEST(HoldVariant, IntegersMustBeEqual) {
   });
   // As floats the integers 0 and 1 would be next to nothing apart.
   const PlayVariant play = [](bool) -> Result<VariantFrames> { return variantOf(std::bit_cast<float>(1u), std::bit_cast<float>(1u)); };
-  EXPECT_EQ(holdVariant(frames, false, play, terms, kSame)->held.judgement, Judgement::kOurs);
+  EXPECT_EQ(holdVariant(frames, false, play, terms, told(kSame))->held.judgement, Judgement::kOurs);
 }
 
 TEST(HoldVariant, PixelsLeftOutAreNotCompared) {
   LawTerms terms;
   OriginalFrames frames = originals(1, 1, 1, 1);
   const PlayVariant play = [](bool) -> Result<VariantFrames> { return variantOf(1, 2); };
-  EXPECT_EQ(holdVariant(frames, false, play, terms, kSame)->held.judgement, Judgement::kOurs);
+  EXPECT_EQ(holdVariant(frames, false, play, terms, told(kSame))->held.judgement, Judgement::kOurs);
   terms.left_out.assign(kMovingFrames, {true, true});
-  EXPECT_EQ(holdVariant(frames, false, play, terms, kSame)->held.judgement, Judgement::kEqual);
+  EXPECT_EQ(holdVariant(frames, false, play, terms, told(kSame))->held.judgement, Judgement::kEqual);
 }
 
 }  // namespace
