@@ -15,6 +15,7 @@
 #include "cli/check/interpreted.h"
 #include "cli/check/interpreted_bodies.h"
 #include "cli/check/module_player.h"
+#include "cli/check/neighbour_dependence.h"
 #include "cli/check/undefined_values.h"
 #include "compiler/ir/reproducible.h"
 #include "compiler/source/validate.h"
@@ -60,6 +61,14 @@ class ModuleCheck {
   // Of a failure: where it was, and whether its images alone make it one.
   const HarnessOptions& inputs() const { return inputs_; }
   bool is_excusable() const { return failed() && interpreted_.computation != Computation::kDifferent; }
+  // Of a failed variant whose bodies compute what the module does: whether what the device draws of the module itself depends on which
+  // pixels run beside one another.
+  Result<bool> isDevicesFault() {
+    if (failed_bodies_ != Computation::kSame) return false;
+    REPRISE_ASSIGN(const Module module, readModule(bench_.given.words));
+    REPRISE_ASSIGN(const Originals* originals, originals_->get(false));
+    return dependsOnNeighbours(module, originals->given, [&](const std::vector<std::uint32_t>& words) { return player_->playWords(words); });
+  }
 
  private:
   struct Unshown {
@@ -284,7 +293,10 @@ class ModuleCheck {
                    holdVariant(*originals_, inconsistent_, [&](bool no_contraction) { return player_->variant(candidate, strategy, no_contraction); },
                                player_->terms(&candidate, strategy), [&] { return interpretBodiesOf(candidate); }));
     worst_ = std::max(worst_, variant.held.judgement);
-    if (variant.held.judgement == Judgement::kOurs) fail(candidate.id + " in " + strategy, strategy, *variant.held.difference);
+    if (variant.held.judgement == Judgement::kOurs) {
+      failed_bodies_ = interpretBodiesOf(candidate);
+      fail(candidate.id + " in " + strategy, strategy, *variant.held.difference);
+    }
     return std::move(variant.frames);
   }
 
@@ -330,6 +342,7 @@ class ModuleCheck {
   std::shared_ptr<OriginalFrames> originals_;
   Interpreted interpreted_;
   std::map<std::string, Computation> bodies_;  // what the interpreter says of a candidate's bodies, by its id
+  Computation failed_bodies_ = Computation::kUnknown;      // of the candidate that failed
   bool inconsistent_ = false, ever_inconsistent_ = false;  // the device, with these inputs; with any
   bool may_show_undefined_ = false, looked_at_undefined_ = false;
   int shown_seeds_ = 0;
@@ -356,10 +369,14 @@ ModuleVerdict untestable(ModuleVerdict verdict, const std::string& code, const s
   return verdict;
 }
 
-// A difference says nothing where the device ended the shader's loops, nor where it is gone once undefined values are zero on our side.
+// A difference says nothing where the device draws the module itself now so, now so, or ended its loops, nor where it is gone once undefined values are zero on our side.
 // Looked at last, and whatever hinders the look leaves the failure as it is.
-ModuleVerdict unlessExcused(const ModuleVerdict& failed, const ModuleCheck& check, const Bench& bench) {
+ModuleVerdict unlessExcused(const ModuleVerdict& failed, ModuleCheck& check, const Bench& bench) {
   if (!check.is_excusable()) return failed;
+  if (const Result<bool> device = check.isDevicesFault(); device.ok() && *device)
+    return untestable(failed, "device.inconsistent",
+                      "the device draws a pixel of the module itself differently where other pixels beside it do not run, and the interpreter finds "
+                      "no other computation in the variant");
   const Result<bool> endless = loopsEndlessly(bench.given, check.inputs(), bench.context, bench.commands);
   if (endless.ok() && *endless)
     return untestable(failed, "original.endless",

@@ -55,10 +55,10 @@ std::optional<Violation> findViolation(const HarnessFrame& original, const Harne
   return std::nullopt;
 }
 
-bool sameColors(const HarnessFrame& a, const HarnessFrame& b, double tolerance) {
+bool sameColors(const HarnessFrame& a, const HarnessFrame& b, double tolerance, const std::vector<bool>* left_out) {
   for (std::size_t output = 0; output < a.colors.size(); ++output)
     for (std::size_t pixel = 0; pixel < a.depth.size(); ++pixel)
-      if (!samePixel(a.colors[output], b.colors[output], pixel, ChannelKind::kFloat, tolerance)) return false;
+      if ((left_out == nullptr || !(*left_out)[pixel]) && !samePixel(a.colors[output], b.colors[output], pixel, ChannelKind::kFloat, tolerance)) return false;
   return true;
 }
 

@@ -39,8 +39,8 @@ bool covered(const HarnessFrame& frame, std::size_t pixel);  // by depth
 // What the harness's targets hold for these outputs: floats or integers.
 std::vector<ChannelKind> channelKinds(const std::vector<FragmentOutput>& outputs);
 
-// Whether two frames of floats have the same colours, within a tolerance as ColorLaw has it.
-bool sameColors(const HarnessFrame& a, const HarnessFrame& b, double tolerance);
+// Whether two frames of floats have the same colours, within a tolerance and but for pixels left out, as ColorLaw has them.
+bool sameColors(const HarnessFrame& a, const HarnessFrame& b, double tolerance, const std::vector<bool>* left_out = nullptr);
 
 // What an original's frame can show, but for pixels that are left out. kNothing: too little covered, or not finite. kConstant: the same everywhere, so that a
 // comparison says something, but nothing of a cache.
