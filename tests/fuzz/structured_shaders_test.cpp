@@ -79,7 +79,7 @@ TEST(ReduceShader, KeepsWhatShowsAndNothingElse) {
   const std::string text = "a\nif (x) {\n  b\n  if (y) {\n    c\n  }\n  d\n}\ne\n";
   const auto contains = [](const std::string& line) { return [line](const std::string& shorter) { return shorter.find(line) != std::string::npos; }; };
   EXPECT_EQ(reduceShader(text, contains("c")), "    c\n");
-  EXPECT_EQ(reduceShader(text, contains("if (y)")), "  if (y) {\n  }\n");
+  EXPECT_EQ(reduceShader(text, contains("if (y)")), "  if (y) {\n");
 }
 
 }  // namespace

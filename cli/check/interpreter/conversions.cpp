@@ -1,5 +1,6 @@
 #include "cli/check/interpreter/conversions.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -54,6 +55,11 @@ void bitcast(Machine& m, const Instruction& i) {
     return m.fail(unsupported("OpBitcast of pointers or between sizes that differ"));
   const Scalar* from = m.operand(i, 0, from_type.flat);
   Scalar* to = m.result(i, type.flat);
+  // From signed to unsigned and back moves a value and computes none.
+  if (from_width == to_width && from_scalar.kind != Kind::kFloat && to_scalar.kind != Kind::kFloat) {
+    std::copy_n(from, type.flat, to);
+    return;
+  }
   for (std::uint32_t c = 0; c < type.flat; ++c) {
     const std::uint32_t first_bit = c * to_width;
     Operation op(i.op);
