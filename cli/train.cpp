@@ -8,10 +8,11 @@
 #include <set>
 
 #include "cli/fit.h"
-#include "cli/hold_laws.h"
 #include "cli/probe_candidates.h"
 #include "cli/probe_objects.h"
 #include "cli/session_pace.h"
+#include "cli/studied_periods.h"
+#include "cli/training_laws.h"
 #include "compiler/strategies/refuse_variant.h"
 
 namespace reprise {
@@ -30,7 +31,7 @@ class Trainer {
  public:
   Trainer(const Subject& subject, const Workspace& workspace, const Measuring& measuring, const TrainOptions& options, Progress& progress)
       : subject_(subject), workspace_(workspace), measuring_(measuring), options_(options), progress_(progress),
-        sessions_(trainingSessions(subject.scenario)) {
+        sessions_(trainingSessions(subject.scenario)), periods_(studiedPeriods(subject.scenario)) {
     measuring_.progress = [this](const JobProgress& state) { progress_.update(state.done, state.total); };
   }
 
@@ -45,7 +46,7 @@ class Trainer {
       const ErrorStudy& first = training_.errors.front();
       REPRISE_ASSIGN(training_.strategies_refused, strategiesWithoutIdleObjects(subject_, workspace_, measuring_, {first.candidate, first.options.ranges}, progress_));
     }
-    REPRISE_TRY(study(0, studyPeriods(), [this] { return worthTiming(); }));
+    REPRISE_TRY(study(0, periods_, [this] { return worthTiming(); }));
     REPRISE_TRY(refine());
     return std::move(training_);
   }
@@ -57,21 +58,6 @@ class Trainer {
     return true;
   }
 
-  std::vector<std::uint32_t> studyPeriods() const {
-    std::vector<std::uint32_t> periods;
-    for (const std::uint32_t period : subject_.scenario.periods)
-      if (period != 1 && firstSettledFrame(period) < shortestSession()) periods.push_back(period);
-    return periods;
-  }
-
-  // Periods whose settled frames lie beyond every session are left to the models and to validation.
-  int shortestSession() const {
-    int shortest = 1 << 30;
-    for (const SessionSpec& session : subject_.scenario.sessions)
-      if (session.role == SessionRole::kTraining) shortest = std::min(shortest, session.frames > 0 ? session.frames : subject_.scenario.frames);
-    return shortest;
-  }
-
   void addStudy(std::size_t candidate, const VariantOptions& options) {
     VariantOptions instrumented = options;
     instrumented.instrumented = true;
@@ -80,8 +66,6 @@ class Trainer {
     if (refuseVariant(subject_.program, subject_.candidates[candidate], instrumented, subject_.limits)) instrumented.strategy = "branch";
     training_.errors.push_back({candidate, instrumented, {}, ""});
   }
-
-  using StudyAndStrategy = std::pair<std::size_t, std::string>;
 
   struct ErrorPlan {
     std::vector<SeriesRequest> requests;
@@ -131,59 +115,19 @@ class Trainer {
     return plan;
   }
 
-  // Of those, the ones whose candidate has not been held to the laws in this strategy; that then counts as done.
-  std::vector<StudyAndStrategy> unheld(const std::vector<StudyAndStrategy>& wanted) {
-    std::vector<StudyAndStrategy> found;
-    for (const auto& [study, strategy] : wanted)
-      if (held_.insert({training_.errors[study].candidate, strategy}).second) found.emplace_back(study, strategy);
-    return found;
-  }
-
-  // Why each of them must not be measured; nothing of the others.
-  Result<std::map<StudyAndStrategy, FailureRow>> convict(const std::vector<StudyAndStrategy>& wanted) {
-    const std::vector<StudyAndStrategy> fresh = unheld(wanted);
-    std::vector<VariantToHold> variants;
-    for (const auto& [study, strategy] : fresh) {
-      variants.push_back({subject_.candidates[training_.errors[study].candidate], training_.errors[study].options, {}});
-      variants.back().options.strategy = strategy;
-    }
-    REPRISE_ASSIGN(const std::vector<LawVerdict> verdicts, holdLaws(subject_, workspace_, measuring_, variants, progress_));
-    std::map<StudyAndStrategy, FailureRow> convictions;
-    for (std::size_t i = 0; i < fresh.size(); ++i) {
-      const std::string& id = variants[i].candidate.id;
-      if (verdicts[i].conviction) {
-        convictions[fresh[i]] = *verdicts[i].conviction;
-        training_.warnings.push_back(fmt::format("{} in {} was left out: {}", id, fresh[i].second, verdicts[i].conviction->message));
-      } else if (!verdicts[i].refused && verdicts[i].frozen_hits == 0) {
-        training_.warnings.push_back(fmt::format("{} in {}: no hit was seen with the scene frozen, so none was compared with the original", id, fresh[i].second));
-      }
-    }
-    return convictions;
-  }
-
-  // Takes out what differs from the original, or cannot be compared with it. An error where nothing is left of the whole run.
+  // Takes out what differs from the original, or cannot be compared with it.
   Result<void> holdToLaws(ErrorPlan& plan) {
-    std::set<StudyAndStrategy> wanted;
-    for (const auto& [study, period] : plan.places) wanted.emplace(study, training_.errors[study].options.strategy);
-    REPRISE_ASSIGN(const auto convictions, convict({wanted.begin(), wanted.end()}));
-    if (convictions.empty()) return {};
-    for (const auto& [which, why] : convictions) {
-      ErrorStudy& study = training_.errors[which.first];
-      study.failure = why.message;
-      if (isLawBroken(why)) training_.convicted[study.candidate] = why;
-    }
+    std::set<std::size_t> studies;
+    for (const auto& [study, period] : plan.places) studies.insert(study);
+    REPRISE_ASSIGN(const std::set<std::size_t> convicted, laws_.holdErrors(studies, training_));
     ErrorPlan left;
     for (std::size_t i = 0; i < plan.requests.size(); ++i) {
-      const std::size_t study = plan.places[i].first;
-      if (convictions.count({study, training_.errors[study].options.strategy}) > 0) continue;
+      if (convicted.count(plan.places[i].first) > 0) continue;
       left.requests.push_back(plan.requests[i]);
       left.places.push_back(plan.places[i]);
     }
     plan = std::move(left);
-    const bool none_left = std::all_of(training_.errors.begin(), training_.errors.end(), [](const ErrorStudy& study) { return !study.failure.empty(); });
-    if (training_.convicted.empty() || !none_left) return {};
-    const auto& [candidate, why] = *training_.convicted.begin();
-    return Error{ErrorKind::kInput, why.code, fmt::format("no candidate is left, as none equals the original; {}: {}", subject_.candidates[candidate].id, why.message), {}};
+    return {};
   }
 
   Result<void> measureErrorsOf(const std::string& session, ErrorPlan& plan) {
@@ -208,7 +152,7 @@ class Trainer {
     const ErrorFit fit = fitErrors(study, options_.metric);
     if (!isUsable(fit.verdict)) return 0;
     std::uint32_t longest = 0;
-    for (const std::uint32_t period : studyPeriods())
+    for (const std::uint32_t period : periods_)
       if (period != kNeverRefresh && predictError(fit, period).value <= options_.max_error) longest = std::max(longest, period);
     return longest;
   }
@@ -280,7 +224,7 @@ class Trainer {
     REPRISE_TRY(addEntry(reference, 0, {TimedEntry::Kind::kOriginal, 0, 1}, plan, nullptr));
     reference.strategy = "original_prepass";
     REPRISE_TRY(addEntry(reference, 0, {TimedEntry::Kind::kPrepass, 0, 1}, plan, nullptr));
-    REPRISE_ASSIGN(const auto convictions, convict(wanted));
+    REPRISE_ASSIGN(const auto convictions, laws_.convict(wanted, training_));
     for (const auto& [study, strategy] : wanted) {
       const ErrorStudy& errors = training_.errors[study];
       VariantOptions options = errors.options;
@@ -385,28 +329,12 @@ class Trainer {
       alternative([](VariantOptions& options) { options.pattern = PatternKind::kTiled; });
       alternative([](VariantOptions& options) { options.pattern = PatternKind::kRandom; });
     }
-    return study(first, refinedPeriods(best.period_frames), [&] {
+    return study(first, refinedPeriods(periods_, best.period_frames), [&] {
       std::vector<StudyAndStrategy> wanted;
       for (std::size_t study = first; study < training_.errors.size(); ++study)
         if (isAcceptable(training_.errors[study])) wanted.push_back({study, best_costs.strategy});
       return wanted;
     });
-  }
-
-  // The shortest and the longest studied period and the best so far.
-  std::vector<std::uint32_t> refinedPeriods(std::uint32_t best) const {
-    std::vector<std::uint32_t> finite;
-    for (const std::uint32_t period : studyPeriods())
-      if (period != kNeverRefresh) finite.push_back(period);
-    std::vector<std::uint32_t> periods;
-    if (!finite.empty()) {
-      const auto [shortest, longest] = std::minmax_element(finite.begin(), finite.end());
-      const std::uint32_t middle = best == kNeverRefresh ? *longest : std::min(best, *longest);
-      for (const std::uint32_t period : {*shortest, middle, *longest})
-        if (std::find(periods.begin(), periods.end(), period) == periods.end()) periods.push_back(period);
-    }
-    if (best == kNeverRefresh) periods.push_back(kNeverRefresh);
-    return periods;
   }
 
   const Subject& subject_;
@@ -415,8 +343,9 @@ class Trainer {
   const TrainOptions& options_;
   Progress& progress_;
   std::vector<std::string> sessions_;
+  std::vector<std::uint32_t> periods_;
   std::map<std::string, std::vector<TimedFrame>> first_reference_;  // by session
-  std::set<std::pair<std::size_t, std::string>> held_;  // candidate and strategy: held to the laws
+  TrainingLaws laws_{subject_, workspace_, measuring_, progress_};
   Training training_;
 };
 

@@ -211,13 +211,13 @@ class ModuleCheck {
     const LawTerms terms = player_->terms(nullptr, "");
     REPRISE_ASSIGN(const Originals* originals, originals_->get(false));
     REPRISE_ASSIGN(const std::vector<HarnessFrame> defined, player_->playWords(zeros.words));
-    const auto difference = findDifference(originals->given, defined, terms, kRounding);
+    const auto difference = findDifference(originals->given, defined, terms, kRoundingTolerance);
     if (!difference) return false;
     // A driver may round the same expression differently beside a variable that has a value.
     REPRISE_ASSIGN(const Originals* strict, originals_->get(true));
     REPRISE_ASSIGN(const Module module, readModule(zeros.words));
     REPRISE_ASSIGN(const std::vector<HarnessFrame> strict_defined, player_->playWords(writeModule(withoutContraction(module))));
-    if (!findDifference(strict->given, strict_defined, terms, kRounding)) return false;
+    if (!findDifference(strict->given, strict_defined, terms, kRoundingTolerance)) return false;
     end(Verdict::kUntestable, "inputs.undefined",
         fmt::format("the image shows values that nothing defines: with zeros in their place {}", placeText(*difference)));
     return true;

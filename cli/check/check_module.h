@@ -5,7 +5,7 @@
 // taken in every strategy with nearest fetches, interleaved 4x4 blocks and the 32-bit float encoding. Each variant must equal the
 // reference in all pixels at period 1, in the pixels that miss under motion at period 4, and everywhere in a world that stands still.
 //
-// What is rounding is said in rounding.h. A module whose image changes when undefined values become zero is untestable. `verified`
+// What is rounding is said in judgement.h. A module whose image changes when undefined values become zero is untestable. `verified`
 // needs inputs under which this says something: the original covers a tenth of the image, is finite and not constant, hits and misses
 // occur, and a poisoned cache changes the image; other seeds and candidates are tried before giving up. Where nothing of the
 // cache shows all laws are held all the same, and the verdict is `unshown`.

@@ -64,7 +64,7 @@ bool sameColors(const HarnessFrame& a, const HarnessFrame& b, double tolerance, 
 
 std::vector<ChannelKind> channelKinds(const std::vector<FragmentOutput>& outputs) {
   std::vector<ChannelKind> kinds;
-  for (const FragmentOutput& output : outputs) kinds.push_back(output.scalar == ScalarKind::kFloat ? ChannelKind::kFloat : ChannelKind::kWhole);
+  for (const FragmentOutput& output : outputs) kinds.push_back(output.scalar == ScalarKind::kFloat ? ChannelKind::kFloat : ChannelKind::kInteger);
   return kinds;
 }
 

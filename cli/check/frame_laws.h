@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/check/rounding.h"
 #include "profiler/harness/harness.h"
+#include "profiler/metrics/rounding.h"
 
 namespace reprise {
 

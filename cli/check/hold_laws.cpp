@@ -76,7 +76,7 @@ Result<Held> holdPrepared(OriginalFrames& originals, const LawTerms& terms, Comp
     return held;
   }
   if (!held.difference) return held;
-  const auto beyond = findDifference(as_given->given, as_given->prepared, terms, kRounding);
+  const auto beyond = findDifference(as_given->given, as_given->prepared, terms, kRoundingTolerance);
   Evidence evidence{beyond ? Nearness::kBeyond : Nearness::kRounded, false, interpreted};
   if (judge(evidence) == Judgement::kOurs) {  // so far: it needs the other witness
     REPRISE_ASSIGN(const Originals* strict, originals.get(true));
@@ -100,8 +100,8 @@ Result<HeldVariant> holdVariant(OriginalFrames& originals, bool as_prepared, con
   held.judgement = Judgement::kOurs;
   if (held.difference->violation.law == "law.books") return variant;
   Evidence evidence{Nearness::kRounded, false, interpret()};
-  if (!holds(*as_given, as_prepared, variant.frames, terms, kRounding)) {
-    held.difference = findBrokenLaw(expected, variant.frames, terms, kRounding);
+  if (!holds(*as_given, as_prepared, variant.frames, terms, kRoundingTolerance)) {
+    held.difference = findBrokenLaw(expected, variant.frames, terms, kRoundingTolerance);
     evidence.as_given = Nearness::kBeyond;
   }
   held.judgement = judge(evidence);

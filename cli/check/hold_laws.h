@@ -1,7 +1,7 @@
 // The laws of the design (0 to 4) for one set of inputs: the prepared module, uncached, and then a variant, held to the module as given.
 //
-// Whatever differs is judged by the rule of rounding.h; where a second look is needed all is played again with NoContraction on both
-// sides.
+// Whatever differs is judged as judgement.h has it; where a second look is needed all is played again with
+// NoContraction on both sides.
 #pragma once
 
 #include <functional>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/check/frame_laws.h"
+#include "cli/check/judgement.h"
 #include "runtime/base/result.h"
 
 namespace reprise {

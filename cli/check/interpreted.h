@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "cli/check/rounding.h"
+#include "cli/check/judgement.h"
 
 namespace reprise {
 

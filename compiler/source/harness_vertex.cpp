@@ -16,7 +16,7 @@ layout(location = 2) in vec2 uv;
 layout(set = HARNESS_SET, binding = 0, std140) uniform HarnessScene {
   mat4 view_projection;
   mat4 model;
-  uvec4 seed;
+  uvec3 seed;
   uvec4 given[32];
 } harness;
 
@@ -40,8 +40,8 @@ float smoothValue(uint number) {
 
 // The value of scalar `number`, in a range that goes with the style of the made-up values.
 float wave(uint number) {
-  float value = smoothValue(number) * (1.0 + uintBitsToFloat(harness.seed.z));
-  return harness.seed.w == 2u ? value * 4.0 : harness.seed.w == 3u ? 0.5 + 0.5 * value : value;
+  float value = smoothValue(number);
+  return harness.seed.z == 2u ? value * 4.0 : harness.seed.z == 3u ? 0.5 + 0.5 * value : value;
 }
 
 uint whole(uint number) {

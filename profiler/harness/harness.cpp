@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstring>
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
@@ -24,7 +23,8 @@ constexpr VkDeviceSize kSlotBytes = 1024;
 // The block of compiler/source/harness_vertex.h.
 struct SceneBlock {
   glm::mat4 view_projection, model;
-  glm::uvec4 seed;
+  glm::uvec3 seed;
+  std::uint32_t padding = 0;
   std::array<std::uint32_t, kGivenIntegers> given;
 };
 static_assert(sizeof(SceneBlock) <= kSlotBytes);
@@ -51,7 +51,7 @@ SceneBlock sceneAt(int frame, std::size_t object, const HarnessOptions& options)
   if (object == 0) block.model = glm::translate(block.model, glm::vec3(-0.8f + 0.05f * time, 0.2f, 0.9f));
   if (object == 1) block.model = glm::rotate(glm::translate(block.model, glm::vec3(0.3f, 0.2f, -0.2f)), 0.02f * time, glm::vec3(0, 1, 0));
   if (object == 2) block.model = glm::translate(block.model, glm::vec3(0, -0.9f, 0));
-  block.seed = glm::uvec4(seed * 0x9e3779b9u + 1, seed, std::bit_cast<std::uint32_t>(options.varying_nudge), (seed - 1) % 4);
+  block.seed = glm::uvec3(seed * 0x9e3779b9u + 1, seed, (seed - 1) % 4);
   block.given.fill(MadeUpValues::kAnyInteger);
   for (const IntegerValue& one : options.integers) {
     const std::size_t at = one.input.location * 4 + one.input.component;

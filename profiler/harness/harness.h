@@ -20,7 +20,6 @@ namespace reprise {
 struct HarnessOptions {
   std::uint32_t seed = 1;
   std::uint32_t width = 64, height = 64;
-  float varying_nudge = 0;  // every float varying is larger by this share of itself
   IntegerAssignment integers;  // in place of made-up ones
 };
 

@@ -14,27 +14,33 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // How far a channel is off: in its own units, and as a multiple of what it may be off.
 struct Offset {
+  Nearness nearness = Nearness::kEqual;
   double distance = 0, share = 0;
 };
+
+Offset offsetWithin(double distance, double allowed) {
+  if (distance == 0) return {};
+  return {distance <= allowed ? Nearness::kRounded : Nearness::kBeyond, distance, allowed > 0 ? distance / allowed : kInfinity};
+}
 
 Offset floatOffset(std::uint32_t expected_word, std::uint32_t found_word, double tolerance) {
   if (expected_word == found_word) return {};
   const double expected = static_cast<double>(std::bit_cast<float>(expected_word)), found = static_cast<double>(std::bit_cast<float>(found_word));
   if (expected == found || (std::isnan(expected) && std::isnan(found))) return {};
-  const double distance = std::abs(expected - found);
-  if (!std::isfinite(expected) || !std::isfinite(found)) return {kInfinity, kInfinity};
-  const double allowed = tolerance * std::max(1.0, std::abs(expected));
-  return {distance, allowed > 0 ? distance / allowed : kInfinity};
+  if (!std::isfinite(expected) || !std::isfinite(found)) return {Nearness::kBeyond, kInfinity, kInfinity};
+  return offsetWithin(std::abs(expected - found), tolerance * std::max(1.0, std::abs(expected)));
 }
 
-Offset offsetOf(TexelKind kind, std::uint32_t expected, std::uint32_t found, double tolerance) {
-  if (kind == TexelKind::kFloat) return floatOffset(expected, found, tolerance);
-  const double distance = std::abs(static_cast<double>(expected) - static_cast<double>(found));
-  if (kind == TexelKind::kUnorm8) return {distance, distance};
-  return {distance, distance > 0 ? kInfinity : 0};
+Offset offsetOf(ChannelKind kind, std::uint32_t expected, std::uint32_t found, double tolerance) {
+  if (kind == ChannelKind::kFloat) return floatOffset(expected, found, tolerance);
+  return offsetWithin(std::abs(static_cast<double>(expected) - static_cast<double>(found)), kind == ChannelKind::kUnorm8 ? 1 : 0);
 }
 
 }  // namespace
+
+Nearness nearnessOf(std::uint32_t expected, std::uint32_t found, ChannelKind kind, double tolerance) {
+  return offsetOf(kind, expected, found, tolerance).nearness;
+}
 
 RoundingVerdict compareImages(const ImagePair& pair, double tolerance) {
   REPRISE_CHECK(pair.expected.size() == pair.found.size() && pair.expected.size() % 4 == 0, pair.expected.size(), pair.found.size());
@@ -55,17 +61,17 @@ RoundingVerdict compareImages(const ImagePair& pair, double tolerance) {
       const Offset one = offsetOf(pair.kind, pair.expected[pixel * 4 + channel], pair.found[pixel * 4 + channel], tolerance);
       if (one.share > most.share) most = one;
     }
-    if (most.distance == 0) continue;
+    if (most.nearness == Nearness::kEqual) continue;
     ++verdict.differing;
-    verdict.beyond += most.share > 1 ? 1 : 0;
+    verdict.beyond += most.nearness == Nearness::kBeyond ? 1 : 0;
     if (most.share <= worst) continue;
     worst = most.share;
     verdict.pixel = pixel;
     verdict.largest = most.distance;
   }
   if (verdict.differing == 0) return verdict;
-  const bool too_many = pair.kind == TexelKind::kUnorm8 && static_cast<double>(verdict.differing) > kMostPixelsOneStepOff * static_cast<double>(compared);
-  verdict.difference = verdict.beyond > 0 || too_many ? Difference::kBeyondRounding : Difference::kRounding;
+  const bool too_many = pair.kind == ChannelKind::kUnorm8 && static_cast<double>(verdict.differing) > kMostPixelsOneStepOff * static_cast<double>(compared);
+  verdict.nearness = verdict.beyond > 0 || too_many ? Nearness::kBeyond : Nearness::kRounded;
   return verdict;
 }
 

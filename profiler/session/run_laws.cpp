@@ -134,13 +134,13 @@ class LawRun {
   void compareOutput(const Comparison& comparison, const Words& expected, const Played& played, LawOutcome& outcome) const {
     const Words& found = played.colors[comparison.output];
     const bool tolerated = comparison.tolerance > 0;
-    const RoundingVerdict verdict = compareImages({expected, found, TexelKind::kFloat}, tolerated ? comparison.tolerance : kRoundingTolerance);
-    if (verdict.difference == Difference::kNone || (tolerated && verdict.difference == Difference::kRounding)) return;
-    bool rounding = verdict.difference == Difference::kRounding, visible = true;
+    const RoundingVerdict verdict = compareImages({expected, found, ChannelKind::kFloat}, tolerated ? comparison.tolerance : kRoundingTolerance);
+    if (verdict.nearness == Nearness::kEqual || (tolerated && verdict.nearness == Nearness::kRounded)) return;
+    bool rounding = verdict.nearness == Nearness::kRounded, visible = true;
     if (stage_.given_formats[comparison.output] == kColorFormats[0]) {
-      const Difference of_bytes = compareImages({unorm8Of(expected), unorm8Of(found), TexelKind::kUnorm8}).difference;
-      rounding = rounding || of_bytes != Difference::kBeyondRounding;
-      visible = of_bytes != Difference::kNone;
+      const Nearness of_bytes = compareImages({unorm8Of(expected), unorm8Of(found), ChannelKind::kUnorm8}).nearness;
+      rounding = rounding || of_bytes != Nearness::kBeyond;
+      visible = of_bytes != Nearness::kEqual;
     }
     std::optional<LawDifference>& kept = rounding ? outcome.rounding : outcome.difference;
     if (!kept || (rounding && visible && !kept->visible)) kept = describe(comparison, verdict, expected, played, visible);

@@ -145,7 +145,7 @@ TEST(HoldVariant, AHitInTheFirstFrameBreaksTheBooks) {
 
 TEST(HoldVariant, IntegersMustBeEqual) {
   LawTerms terms;
-  terms.kinds = {ChannelKind::kWhole};
+  terms.kinds = {ChannelKind::kInteger};
   OriginalFrames frames([](bool) -> Result<Originals> {
     std::vector<HarnessFrame> given = original(0);
     return Originals{given, given};
