@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <bit>
+#include <map>
 #include <nlohmann/json.hpp>
 
+#include "cli/check/interpreted_bodies.h"
+#include "cli/check/judgement.h"
 #include "compiler/ir/reproducible.h"
 #include "compiler/strategies/registry.h"
 #include "runtime/base/file.h"
@@ -65,6 +68,13 @@ std::string colorText(const std::array<std::uint32_t, 4>& words) {
   return "(" + text + ")";
 }
 
+std::string textOf(const Evidence& evidence) {
+  const char* interpreter = evidence.interpreted == Computation::kSame        ? "finds the same computation, so that the device enlarges what it rounds"
+                            : evidence.interpreted == Computation::kDifferent ? "finds another computation"
+                                                                              : "cannot say";
+  return fmt::format("{} with NoContraction on both sides; the interpreter {}", evidence.equal_without_contraction ? "gone" : "there also", interpreter);
+}
+
 FailureRow convictionOf(const LawDifference& difference, const std::string& session, const std::string& strategy) {
   const bool frozen = difference.law == kFrozenWorld;
   return {difference.law,
@@ -102,7 +112,9 @@ struct Case {
   std::string key;          // of its verdict in the store
   LawVerdict verdict;
   bool open = true;         // nothing is known yet
-  bool doubtful = false;    // what differs may be rounding
+  // What may be rounding, and how far it is off: it convicts unless witnesses say that the computation is the same.
+  std::optional<FailureRow> doubt;
+  Evidence evidence;
 
   void convict(const FailureRow& why) {
     if (!verdict.conviction) verdict.conviction = why;
@@ -120,7 +132,7 @@ class Court {
     const auto open = std::count_if(cases_.begin(), cases_.end(), [](const Case& one) { return one.open; });
     if (open > 0) progress.begin(fmt::format("compare with the original: {}", open));
     REPRISE_TRY(compare());
-    REPRISE_TRY(callWitness());
+    REPRISE_TRY(callWitnesses());
     for (Case& one : cases_) {
       // What hung on a busy machine gets another chance in the next run.
       const bool lasts = !one.verdict.conviction || isLawBroken(*one.verdict.conviction);
@@ -186,18 +198,32 @@ class Court {
       const LawOutcome& outcome = findings[i].outcome;
       asked[i]->verdict.frozen_hits = outcome.frozen_hits;
       if (findings[i].failure) asked[i]->convict(*findings[i].failure);
-      if (outcome.difference) asked[i]->convict(convictionOf(*outcome.difference, findings[i].session, strategyOf(*asked[i])));
-      asked[i]->doubtful = !asked[i]->verdict.conviction && outcome.rounding && outcome.rounding->visible;
+      const bool rounded = outcome.rounding && outcome.rounding->visible;
+      if (asked[i]->verdict.conviction || (!outcome.difference && !rounded)) continue;
+      const LawDifference& difference = outcome.difference ? *outcome.difference : *outcome.rounding;
+      asked[i]->doubt = convictionOf(difference, findings[i].session, strategyOf(*asked[i]));
+      asked[i]->evidence.as_given = outcome.difference ? Nearness::kBeyond : Nearness::kRounded;
     }
     return {};
   }
 
-  // Where the bits differ by what may be rounding: they must not where neither side is free to round as it likes.
-  Result<void> callWitness() {
+  // The interpreter, of the bodies that a variant is made from; at most once for each variant.
+  Computation interpret(std::size_t variant) {
+    const auto [known, is_new] = interpreted_.try_emplace(variant, Computation::kUnknown);
+    if (is_new)
+      known->second = interpretBodies(subject_.program.fragment_words, *subject_.program.fragment, variants_[variant].candidate).computation;
+    return known->second;
+  }
+
+  // Where bits differ: the interpreter first, which needs no device, then the same with NoContraction on both sides. What only the two
+  // together excuse is a shader that enlarges rounding errors itself (judgement.h).
+  Result<void> callWitnesses() {
     std::vector<LawRequest> requests;
     std::vector<Case*> asked;
     for (Case& one : cases_) {
-      if (!one.doubtful) continue;
+      if (!one.doubt) continue;
+      one.evidence.interpreted = interpret(one.variant);
+      if (judge(one.evidence) != RoundingJudgement::kOurs) continue;
       asked.push_back(&one);
       requests.push_back(one.request);
       REPRISE_ASSIGN(requests.back().package_dir, storeStrict(workspace_, one.request.package_dir));
@@ -209,10 +235,10 @@ class Court {
     for (std::size_t i = 0; i < findings.size(); ++i) {
       const LawOutcome& outcome = findings[i].outcome;
       if (findings[i].failure) asked[i]->convict(*findings[i].failure);
-      const bool rounds_still = outcome.rounding && outcome.rounding->visible;
-      if (!outcome.difference && !rounds_still) continue;
-      FailureRow why = convictionOf(outcome.difference ? *outcome.difference : *outcome.rounding, findings[i].session, strategyOf(*asked[i]));
-      why.message += " (with NoContraction on both sides, so it is no rounding)";
+      asked[i]->evidence.equal_without_contraction = !outcome.difference && !(outcome.rounding && outcome.rounding->visible);
+      if (judge(asked[i]->evidence) != RoundingJudgement::kOurs) continue;
+      FailureRow why = *asked[i]->doubt;
+      why.message += " (" + textOf(asked[i]->evidence) + ")";
       asked[i]->convict(why);
     }
     return {};
@@ -227,6 +253,7 @@ class Court {
   std::vector<std::string> sessions_;
   std::vector<Case> cases_;
   std::vector<LawVerdict> verdicts_;
+  std::map<std::size_t, Computation> interpreted_;  // by variant
 };
 
 }  // namespace

@@ -224,7 +224,6 @@ class Trainer {
     REPRISE_TRY(addEntry(reference, 0, {TimedEntry::Kind::kOriginal, 0, 1}, plan, nullptr));
     reference.strategy = "original_prepass";
     REPRISE_TRY(addEntry(reference, 0, {TimedEntry::Kind::kPrepass, 0, 1}, plan, nullptr));
-    REPRISE_ASSIGN(const auto convictions, laws_.convict(wanted, training_));
     for (const auto& [study, strategy] : wanted) {
       const ErrorStudy& errors = training_.errors[study];
       VariantOptions options = errors.options;
@@ -236,10 +235,6 @@ class Trainer {
       options.strategy = strategy;
       training_.costs.push_back({study, strategy, {}, {}, ""});
       std::string& refusal = training_.costs.back().failure;
-      if (const auto convicted = convictions.find({study, strategy}); convicted != convictions.end()) {
-        refusal = convicted->second.message;
-        continue;
-      }
       for (const std::uint32_t period : timedPeriods(errors))
         REPRISE_TRY(addEntry(options, errors.candidate, {TimedEntry::Kind::kVariant, training_.costs.size() - 1, period}, plan, &refusal));
       if (!refusal.empty()) training_.strategies_refused.emplace(strategy, refusal);

@@ -198,8 +198,8 @@ class ModuleCheck {
     REPRISE_ASSIGN(const Held held, holdPrepared(*originals_, player_->terms(nullptr, ""), interpreted_.computation));
     inconsistent_ = held.inconsistent;
     ever_inconsistent_ = ever_inconsistent_ || held.inconsistent;
-    worst_ = std::max(worst_, held.inconsistent ? Judgement::kEqual : held.judgement);
-    if (held.judgement != Judgement::kOurs || held.inconsistent) return false;
+    worst_ = std::max(worst_, held.inconsistent ? RoundingJudgement::kEqual : held.judgement);
+    if (held.judgement != RoundingJudgement::kOurs || held.inconsistent) return false;
     REPRISE_ASSIGN(const bool undefined, showsUndefined());
     if (!undefined) fail("the prepared module, uncached", "", *held.difference);
     return true;
@@ -248,9 +248,9 @@ class ModuleCheck {
           "the device draws the module and its prepared form differently, though both compute the same, and all variants equal the prepared one");
       return;
     }
-    const char* rounding = worst_ == Judgement::kEnlarged
+    const char* rounding = worst_ == RoundingJudgement::kEnlarged
                                ? "the shader enlarges rounding errors itself: bit for bit with NoContraction on both sides, and the terms are the same"
-                           : worst_ == Judgement::kRounded ? "within 1e-5, where the device rounds the same terms differently"
+                           : worst_ == RoundingJudgement::kRounded ? "within 1e-5, where the device rounds the same terms differently"
                                                             : "";
     std::string text = reason;
     for (const std::string& note : {std::string(rounding), divergenceNote(player_->program(), player_->leftOut())})
@@ -293,7 +293,7 @@ class ModuleCheck {
                    holdVariant(*originals_, inconsistent_, [&](bool no_contraction) { return player_->variant(candidate, strategy, no_contraction); },
                                player_->terms(&candidate, strategy), [&] { return interpretBodiesOf(candidate); }));
     worst_ = std::max(worst_, variant.held.judgement);
-    if (variant.held.judgement == Judgement::kOurs) {
+    if (variant.held.judgement == RoundingJudgement::kOurs) {
       failed_bodies_ = interpretBodiesOf(candidate);
       fail(candidate.id + " in " + strategy, strategy, *variant.held.difference);
     }
@@ -346,7 +346,7 @@ class ModuleCheck {
   bool inconsistent_ = false, ever_inconsistent_ = false;  // the device, with these inputs; with any
   bool may_show_undefined_ = false, looked_at_undefined_ = false;
   int shown_seeds_ = 0;
-  Judgement worst_ = Judgement::kEqual;
+  RoundingJudgement worst_ = RoundingJudgement::kEqual;
   std::optional<Unshown> unshown_;
   const Candidate* shown_candidate_ = nullptr;  // whose cache showed, in this strategy
   std::string shown_strategy_;

@@ -72,19 +72,19 @@ Result<Held> holdPrepared(OriginalFrames& originals, const LawTerms& terms, Comp
   REPRISE_ASSIGN(const Originals* as_given, originals.get(false));
   held.difference = findDifference(as_given->given, as_given->prepared, terms, 0);
   if (interpreted == Computation::kDifferent) {
-    held.judgement = Judgement::kOurs;
+    held.judgement = RoundingJudgement::kOurs;
     return held;
   }
   if (!held.difference) return held;
   const auto beyond = findDifference(as_given->given, as_given->prepared, terms, kRoundingTolerance);
   Evidence evidence{beyond ? Nearness::kBeyond : Nearness::kRounded, false, interpreted};
-  if (judge(evidence) == Judgement::kOurs) {  // so far: it needs the other witness
+  if (judge(evidence) == RoundingJudgement::kOurs) {  // so far: it needs the other witness
     REPRISE_ASSIGN(const Originals* strict, originals.get(true));
     evidence.equal_without_contraction = !findDifference(strict->given, strict->prepared, terms, 0);
   }
   held.judgement = judge(evidence);
   if (beyond) held.difference = beyond;
-  held.inconsistent = held.judgement == Judgement::kOurs && interpreted == Computation::kSame && !evidence.equal_without_contraction;
+  held.inconsistent = held.judgement == RoundingJudgement::kOurs && interpreted == Computation::kSame && !evidence.equal_without_contraction;
   return held;
 }
 
@@ -97,7 +97,7 @@ Result<HeldVariant> holdVariant(OriginalFrames& originals, bool as_prepared, con
   const Frames& expected = as_prepared ? as_given->prepared : as_given->given;
   Held& held = variant.held;
   held.difference = findBrokenLaw(expected, variant.frames, terms, 0);
-  held.judgement = Judgement::kOurs;
+  held.judgement = RoundingJudgement::kOurs;
   if (held.difference->violation.law == "law.books") return variant;
   Evidence evidence{Nearness::kRounded, false, interpret()};
   if (!holds(*as_given, as_prepared, variant.frames, terms, kRoundingTolerance)) {
@@ -105,7 +105,7 @@ Result<HeldVariant> holdVariant(OriginalFrames& originals, bool as_prepared, con
     evidence.as_given = Nearness::kBeyond;
   }
   held.judgement = judge(evidence);
-  if (held.judgement != Judgement::kOurs || evidence.interpreted == Computation::kDifferent) return variant;
+  if (held.judgement != RoundingJudgement::kOurs || evidence.interpreted == Computation::kDifferent) return variant;
   REPRISE_ASSIGN(const Originals* strict, originals.get(true));
   REPRISE_ASSIGN(const VariantFrames strict_frames, play(true));
   evidence.equal_without_contraction = holds(*strict, as_prepared, strict_frames, terms, 0);

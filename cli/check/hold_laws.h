@@ -55,7 +55,7 @@ struct BrokenLaw {
 };
 
 struct Held {
-  Judgement judgement = Judgement::kEqual;
+  RoundingJudgement judgement = RoundingJudgement::kEqual;
   std::optional<BrokenLaw> difference;  // as given, unless equal: the first one that is as far off as the judgement says
   // Of the prepared module: kOurs by its images alone, while the interpreter finds the same computation. The device may be to blame.
   bool inconsistent = false;

@@ -2,15 +2,15 @@
 
 namespace reprise {
 
-Judgement judge(const Evidence& evidence) {
-  if (evidence.interpreted == Computation::kDifferent) return Judgement::kOurs;
+RoundingJudgement judge(const Evidence& evidence) {
+  if (evidence.interpreted == Computation::kDifferent) return RoundingJudgement::kOurs;
   const bool same = evidence.interpreted == Computation::kSame;
   switch (evidence.as_given) {
-    case Nearness::kEqual: return Judgement::kEqual;
-    case Nearness::kRounded: return evidence.equal_without_contraction || same ? Judgement::kRounded : Judgement::kOurs;
-    case Nearness::kBeyond: return evidence.equal_without_contraction && same ? Judgement::kEnlarged : Judgement::kOurs;
+    case Nearness::kEqual: return RoundingJudgement::kEqual;
+    case Nearness::kRounded: return evidence.equal_without_contraction || same ? RoundingJudgement::kRounded : RoundingJudgement::kOurs;
+    case Nearness::kBeyond: return evidence.equal_without_contraction && same ? RoundingJudgement::kEnlarged : RoundingJudgement::kOurs;
   }
-  return Judgement::kOurs;
+  return RoundingJudgement::kOurs;
 }
 
 }  // namespace reprise

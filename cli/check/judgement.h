@@ -18,12 +18,12 @@ struct Evidence {
   Computation interpreted = Computation::kUnknown;
 };
 
-enum class Judgement {
+enum class RoundingJudgement {
   kEqual,
   kRounded,   // little, and one witness
   kEnlarged,  // more than little, but both witnesses: the shader enlarges rounding errors itself
   kOurs
 };
-Judgement judge(const Evidence& evidence);
+RoundingJudgement judge(const Evidence& evidence);
 
 }  // namespace reprise

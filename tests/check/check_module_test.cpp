@@ -178,7 +178,7 @@ TEST(Laws, ConvictAWrongPreparation) {
     OriginalFrames frames([&](bool no_contraction) { return player.originals(no_contraction); });
     const auto held = holdPrepared(frames, player.terms(nullptr, ""), Computation::kUnknown);
     ASSERT_TRUE(held.ok()) << held.error().message;
-    EXPECT_EQ(held->judgement, wrong ? Judgement::kOurs : Judgement::kEqual);
+    EXPECT_EQ(held->judgement, wrong ? RoundingJudgement::kOurs : RoundingJudgement::kEqual);
   }
 }
 

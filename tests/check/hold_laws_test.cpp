@@ -53,14 +53,14 @@ TEST(HoldPrepared, JudgesByTheRuleOfRounding) {
   const struct {
     float prepared, strict_prepared;
     Computation interpreted;
-    Judgement judgement;
+    RoundingJudgement judgement;
     bool inconsistent;
   } cases[] = {
-      {1, 7, kUnknown, Judgement::kEqual, false},         {1, 7, kDifferent, Judgement::kOurs, false},
-      {1.000001f, 7, kUnknown, Judgement::kRounded, false}, {1.000001f, 8, kUnknown, Judgement::kOurs, false},
-      {1.000001f, 8, kSame, Judgement::kRounded, false},  {1.1f, 7, kUnknown, Judgement::kOurs, false},
-      {1.1f, 7, kSame, Judgement::kEnlarged, false},      {1.1f, 8, kSame, Judgement::kOurs, true},
-      {1.1f, 8, kUnknown, Judgement::kOurs, false},       {1.1f, 8, kDifferent, Judgement::kOurs, false},
+      {1, 7, kUnknown, RoundingJudgement::kEqual, false},         {1, 7, kDifferent, RoundingJudgement::kOurs, false},
+      {1.000001f, 7, kUnknown, RoundingJudgement::kRounded, false}, {1.000001f, 8, kUnknown, RoundingJudgement::kOurs, false},
+      {1.000001f, 8, kSame, RoundingJudgement::kRounded, false},  {1.1f, 7, kUnknown, RoundingJudgement::kOurs, false},
+      {1.1f, 7, kSame, RoundingJudgement::kEnlarged, false},      {1.1f, 8, kSame, RoundingJudgement::kOurs, true},
+      {1.1f, 8, kUnknown, RoundingJudgement::kOurs, false},       {1.1f, 8, kDifferent, RoundingJudgement::kOurs, false},
   };
   for (const auto& one : cases) {
     OriginalFrames frames = originals(1, one.prepared, 7, one.strict_prepared);
@@ -96,12 +96,12 @@ TEST(HoldVariant, JudgesByTheRuleOfRounding) {
   const struct {
     float as_given, strict;
     Computation interpreted;
-    Judgement judgement;
+    RoundingJudgement judgement;
   } cases[] = {
-      {1, 9, kUnknown, Judgement::kEqual},         {1.000001f, 7, kUnknown, Judgement::kRounded},
-      {1.000001f, 9, kSame, Judgement::kRounded},   {1.000001f, 9, kUnknown, Judgement::kOurs},
-      {1.1f, 7, kSame, Judgement::kEnlarged},      {1.1f, 7, kUnknown, Judgement::kOurs},
-      {1.1f, 9, kSame, Judgement::kOurs},
+      {1, 9, kUnknown, RoundingJudgement::kEqual},         {1.000001f, 7, kUnknown, RoundingJudgement::kRounded},
+      {1.000001f, 9, kSame, RoundingJudgement::kRounded},   {1.000001f, 9, kUnknown, RoundingJudgement::kOurs},
+      {1.1f, 7, kSame, RoundingJudgement::kEnlarged},      {1.1f, 7, kUnknown, RoundingJudgement::kOurs},
+      {1.1f, 9, kSame, RoundingJudgement::kOurs},
   };
   for (const auto& one : cases) {
     OriginalFrames frames = originals(1, 1);
@@ -113,10 +113,10 @@ TEST(HoldVariant, JudgesByTheRuleOfRounding) {
 
 TEST(HoldVariant, TheImageOfThePreparedModuleWillDo) {
   OriginalFrames frames = originals(1, 1.1f);
-  EXPECT_EQ(holdVariant(frames, false, playing(1.1f, 9), {}, told(kSame))->held.judgement, Judgement::kEqual);
+  EXPECT_EQ(holdVariant(frames, false, playing(1.1f, 9), {}, told(kSame))->held.judgement, RoundingJudgement::kEqual);
   // Of a device that draws the module inconsistently it alone will do.
-  EXPECT_EQ(holdVariant(frames, true, playing(1.1f, 9), {}, told(kSame))->held.judgement, Judgement::kEqual);
-  EXPECT_EQ(holdVariant(frames, true, playing(1, 9), {}, told(kSame))->held.judgement, Judgement::kOurs);
+  EXPECT_EQ(holdVariant(frames, true, playing(1.1f, 9), {}, told(kSame))->held.judgement, RoundingJudgement::kEqual);
+  EXPECT_EQ(holdVariant(frames, true, playing(1, 9), {}, told(kSame))->held.judgement, RoundingJudgement::kOurs);
 }
 
 TEST(HoldVariant, RegroupedChainsHaveTheirToleranceAtHitsOnly) {
@@ -124,10 +124,10 @@ TEST(HoldVariant, RegroupedChainsHaveTheirToleranceAtHitsOnly) {
   terms.stated_at_hits = 1e-4;
   const auto play = [](float hit, float miss) { return [=](bool) -> Result<VariantFrames> { return variantOf(hit, miss); }; };
   OriginalFrames frames = originals(1, 1, 1, 1);
-  EXPECT_EQ(holdVariant(frames, false, play(1.00005f, 1), terms, told(kUnknown))->held.judgement, Judgement::kEqual);
-  EXPECT_EQ(holdVariant(frames, false, play(1.0005f, 1), terms, told(kUnknown))->held.judgement, Judgement::kOurs);
+  EXPECT_EQ(holdVariant(frames, false, play(1.00005f, 1), terms, told(kUnknown))->held.judgement, RoundingJudgement::kEqual);
+  EXPECT_EQ(holdVariant(frames, false, play(1.0005f, 1), terms, told(kUnknown))->held.judgement, RoundingJudgement::kOurs);
   const Held miss = holdVariant(frames, false, play(1, 1.00005f), terms, told(kUnknown))->held;
-  EXPECT_EQ(miss.judgement, Judgement::kOurs);
+  EXPECT_EQ(miss.judgement, RoundingJudgement::kOurs);
   EXPECT_EQ(miss.difference->violation.law, "law.always_refresh");
 }
 
@@ -139,7 +139,7 @@ TEST(HoldVariant, AHitInTheFirstFrameBreaksTheBooks) {
     return played;
   };
   const Held held = holdVariant(frames, false, play, {}, told(kSame))->held;
-  EXPECT_EQ(held.judgement, Judgement::kOurs);
+  EXPECT_EQ(held.judgement, RoundingJudgement::kOurs);
   EXPECT_EQ(held.difference->violation.law, "law.books");
 }
 
@@ -152,16 +152,16 @@ TEST(HoldVariant, IntegersMustBeEqual) {
   });
   // As floats the integers 0 and 1 would be next to nothing apart.
   const PlayVariant play = [](bool) -> Result<VariantFrames> { return variantOf(std::bit_cast<float>(1u), std::bit_cast<float>(1u)); };
-  EXPECT_EQ(holdVariant(frames, false, play, terms, told(kSame))->held.judgement, Judgement::kOurs);
+  EXPECT_EQ(holdVariant(frames, false, play, terms, told(kSame))->held.judgement, RoundingJudgement::kOurs);
 }
 
 TEST(HoldVariant, PixelsLeftOutAreNotCompared) {
   LawTerms terms;
   OriginalFrames frames = originals(1, 1, 1, 1);
   const PlayVariant play = [](bool) -> Result<VariantFrames> { return variantOf(1, 2); };
-  EXPECT_EQ(holdVariant(frames, false, play, terms, told(kSame))->held.judgement, Judgement::kOurs);
+  EXPECT_EQ(holdVariant(frames, false, play, terms, told(kSame))->held.judgement, RoundingJudgement::kOurs);
   terms.left_out.assign(kMovingFrames, {true, true});
-  EXPECT_EQ(holdVariant(frames, false, play, terms, told(kSame))->held.judgement, Judgement::kEqual);
+  EXPECT_EQ(holdVariant(frames, false, play, terms, told(kSame))->held.judgement, RoundingJudgement::kEqual);
 }
 
 }  // namespace

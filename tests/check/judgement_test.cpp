@@ -6,22 +6,22 @@
 namespace reprise {
 namespace {
 
-TEST(Judgement, NeedsAWitness) {
+TEST(RoundingJudgement, NeedsAWitness) {
   constexpr auto kUnknown = Computation::kUnknown, kSame = Computation::kSame, kDifferent = Computation::kDifferent;
   const struct {
     Evidence evidence;
-    Judgement judgement;
+    RoundingJudgement judgement;
   } cases[] = {
-      {{Nearness::kEqual, false, kUnknown}, Judgement::kEqual},
-      {{Nearness::kEqual, true, kDifferent}, Judgement::kOurs},
-      {{Nearness::kRounded, false, kUnknown}, Judgement::kOurs},
-      {{Nearness::kRounded, true, kUnknown}, Judgement::kRounded},
-      {{Nearness::kRounded, false, kSame}, Judgement::kRounded},
-      {{Nearness::kRounded, true, kDifferent}, Judgement::kOurs},
-      {{Nearness::kBeyond, true, kUnknown}, Judgement::kOurs},
-      {{Nearness::kBeyond, false, kSame}, Judgement::kOurs},
-      {{Nearness::kBeyond, true, kSame}, Judgement::kEnlarged},
-      {{Nearness::kBeyond, true, kDifferent}, Judgement::kOurs},
+      {{Nearness::kEqual, false, kUnknown}, RoundingJudgement::kEqual},
+      {{Nearness::kEqual, true, kDifferent}, RoundingJudgement::kOurs},
+      {{Nearness::kRounded, false, kUnknown}, RoundingJudgement::kOurs},
+      {{Nearness::kRounded, true, kUnknown}, RoundingJudgement::kRounded},
+      {{Nearness::kRounded, false, kSame}, RoundingJudgement::kRounded},
+      {{Nearness::kRounded, true, kDifferent}, RoundingJudgement::kOurs},
+      {{Nearness::kBeyond, true, kUnknown}, RoundingJudgement::kOurs},
+      {{Nearness::kBeyond, false, kSame}, RoundingJudgement::kOurs},
+      {{Nearness::kBeyond, true, kSame}, RoundingJudgement::kEnlarged},
+      {{Nearness::kBeyond, true, kDifferent}, RoundingJudgement::kOurs},
   };
   for (const auto& one : cases)
     EXPECT_EQ(judge(one.evidence), one.judgement) << static_cast<int>(one.evidence.as_given) << one.evidence.equal_without_contraction
