@@ -1,6 +1,8 @@
 #include "tests/fuzz/prepared_difference.h"
 
+#include "cli/check/interpreted_bodies.h"
 #include "cli/check/interpreter/interpret.h"
+#include "compiler/analysis/analyse.h"
 #include "compiler/ir/prepare.h"
 #include "compiler/source/compile.h"
 #include "compiler/source/validate.h"
@@ -25,6 +27,26 @@ Judgement judged(Judgement::Verdict verdict, const std::string& what) { return {
 Judgement ofError(const Error& error) {
   return judged(error.kind == ErrorKind::kRefused ? Judgement::Verdict::kRefused : Judgement::Verdict::kInvalid,
                 error.code + ": " + error.message);
+}
+
+// What a variant would be made from, of the best values: the body of misses, and that of hits behind it.
+std::optional<std::string> differenceOfBodies(std::span<const std::uint32_t> given) {
+  constexpr int kMostCandidates = 3;
+  const Result<Module> module = readModule(given);
+  const Result<PreparedShader> shader = prepareForCaching(module.value(), "");
+  if (!shader.ok()) return std::nullopt;
+  const ShaderAnalysis analysis = analyse(*shader);
+  if (analysis.refusal) return std::nullopt;
+  CandidateOptions all;
+  all.least_share = 0;
+  int tried = 0;
+  for (const Candidate& candidate : enumerateCandidates(*shader, analysis, {}, all)) {
+    if (!candidate.kept()) continue;
+    if (++tried > kMostCandidates) break;
+    const Interpreted interpreted = interpretBodies(given, *shader, candidate);
+    if (interpreted.computation == Computation::kDifferent) return "the bodies around " + candidate.id + ", " + interpreted.text;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -69,6 +91,11 @@ Judgement judgePreparation(std::span<const std::uint32_t> given, Promotion promo
   } else if (counts.returned + counts.discarded == 0) {
     judgement.verdict = Verdict::kUntold;
     judgement.what = "no sampled point says anything";
+  } else if (promotion == Promotion::kOurs) {
+    if (const std::optional<std::string> bodies = differenceOfBodies(given)) {
+      judgement.verdict = Verdict::kDifferent;
+      judgement.what = *bodies;
+    }
   }
   return judgement;
 }
