@@ -38,10 +38,12 @@ constexpr std::size_t kMostAttempts = 5;
 class StageClock {
  public:
   StageClock(RunResult& result, const Progress& progress) : result_(result), progress_(progress) {}
-  void end(const std::string& stage) {
-    const double now = progress_.elapsedSeconds();
-    result_.seconds.push_back({stage, now - last_});
+  // Returns the seconds that it took.
+  double end(const std::string& stage) {
+    const double now = progress_.elapsedSeconds(), taken = now - last_;
+    result_.seconds.push_back({stage, taken});
     last_ = now;
+    return taken;
   }
 
  private:
@@ -238,9 +240,10 @@ Result<RunResult> optimize(const OptimizeArguments& arguments, Progress& progres
   clock.end("compile");
 
   REPRISE_ASSIGN(const DeviceLock lock, lockDevice(device, arguments, progress));
+  TrainOptions options;
+  options.waited_s = clock.end("wait for the device");
   REPRISE_ASSIGN(Bench bench, openBench(subject, workspace, benchOptions(arguments), device));
   bench.measuring.store = &bench.store;
-  TrainOptions options;
   options.metric = arguments.metric;
   options.max_error = arguments.max_error;
   options.budget_s = arguments.budget_s;

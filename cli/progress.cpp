@@ -28,7 +28,7 @@ void putWrapped(const std::string& head, const std::string& text) {
 
 Progress::~Progress() { clearBar(); }
 
-double Progress::elapsedSeconds() const { return secondsSince(started_); }
+double Progress::elapsedSeconds() const { return clock_ ? clock_() : secondsSince(started_); }
 
 void Progress::clearBar() {
   if (bar_drawn_) std::fputs("\r\033[K", stderr);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <string>
+#include <utility>
 
 namespace reprise {
 
@@ -10,7 +12,9 @@ enum class ProgressStyle { kQuiet, kLines, kBar };
 
 class Progress {
  public:
-  explicit Progress(ProgressStyle style) : style_(style), started_(std::chrono::steady_clock::now()) {}
+  // `clock` gives the seconds since the run began; empty: those since here.
+  explicit Progress(ProgressStyle style, std::function<double()> clock = {})
+      : style_(style), clock_(std::move(clock)), started_(std::chrono::steady_clock::now()) {}
   ~Progress();
 
   // A new step; its share of the run is not known beforehand, so time left is estimated within the step.
@@ -24,6 +28,7 @@ class Progress {
   void clearBar();
 
   ProgressStyle style_;
+  std::function<double()> clock_;
   std::chrono::steady_clock::time_point started_, step_started_, drawn_;
   std::string step_;
   bool bar_drawn_ = false;

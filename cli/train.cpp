@@ -52,8 +52,11 @@ class Trainer {
   }
 
  private:
+  // Whether a share of the budget is.
+  bool isSpent(double share) const { return options_.budget_s > 0 && progress_.elapsedSeconds() - options_.waited_s >= share * options_.budget_s; }
+
   bool outOfBudget(const std::string& what) {
-    if (options_.budget_s <= 0 || progress_.elapsedSeconds() < options_.budget_s) return false;
+    if (!isSpent(1)) return false;
     training_.not_reached.push_back(what);
     return true;
   }
@@ -82,7 +85,7 @@ class Trainer {
     std::optional<TimePlan> times;
     for (const std::string& session : sessions_) {
       REPRISE_TRY(measureErrorsOf(session, errors));
-      if (!times && options_.budget_s > 0 && progress_.elapsedSeconds() > kErrorShare * options_.budget_s && !others.requests.empty()) {
+      if (!times && isSpent(kErrorShare) && !others.requests.empty()) {
         training_.not_reached.push_back(fmt::format("errors of {} further variants", others.requests.size()));
         others = {};
       }

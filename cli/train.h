@@ -27,7 +27,8 @@ namespace reprise {
 struct TrainOptions {
   std::string metric = "rms";
   double max_error = 0.02;
-  double budget_s = 0;            // 0: none
+  double budget_s = 0;            // of the time since the run began; 0: none
+  double waited_s = 0;            // of that time, for another run that measured on the device: not of the budget
   std::size_t timed_candidates = 3;
   int rounds = 20;
   bool cpu_clock = true;           // the binding clock: process CPU time, else time stamps

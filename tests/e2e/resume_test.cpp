@@ -91,15 +91,5 @@ TEST(Resume, KilledWorkerIsRecordedAndTheRunGoesOn) {
   EXPECT_TRUE(fs::exists(scenario.output() / "result.json"));
 }
 
-TEST(Budget, ThatEndsBeforeAnyMeasurementIsTheReasonForTheOriginal) {
-  const SmallScenario scenario;
-  ASSERT_EQ(runCommand(optimizeSmall(scenario, {"--budget", "0.001s"})).status, kExitDone);
-  const Result<RunResult> result = resultFromJson(textOf(scenario.output() / "result.json"));
-  ASSERT_TRUE(result.ok()) << formatError(result.error());
-  EXPECT_EQ(result->choice.kind, ChoiceKind::kOriginal);
-  EXPECT_FALSE(result->not_reached.empty());
-  EXPECT_NE(result->choice.reason.find("budget"), std::string::npos) << result->choice.reason;
-}
-
 }  // namespace
 }  // namespace reprise

@@ -17,7 +17,11 @@ constexpr const char* kBrowserOptions =
 
 }  // namespace
 
-std::string OpenedPage::body() const { return dom.substr(0, dom.find("<script type=\"application/json\"")); }
+std::string OpenedPage::body() const {
+  const std::string end_of_words = "</noscript>";
+  const std::size_t words = dom.find(end_of_words), start = words == std::string::npos ? 0 : words + end_of_words.size();
+  return dom.substr(start, dom.find("<script type=\"application/json\"", start) - start);
+}
 
 double OpenedPage::tile(const std::string& name) const {
   const std::string text = body(), start = "data-name=\"" + name + "\" data-value=\"";

@@ -11,7 +11,8 @@ namespace reprise {
 struct OpenedPage {
   std::string dom, console;
 
-  // The drawn part only, without the data block and the scripts, which hold every name anyway.
+  // The drawn part only, without the data block and the scripts, which hold every name anyway, and without what stands for the page where
+  // scripts are switched off.
   std::string body() const;
   // The figure of a tile as the page holds it: data-name="..." data-value="...". NaN if there is none.
   double tile(const std::string& name) const;

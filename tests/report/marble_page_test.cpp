@@ -79,6 +79,7 @@ TEST_F(MarblePage, ShowsWhatTheResultSaysAtEveryStop) {
   ASSERT_EQ(outcome.status, 0) << outcome.all();
   const Result<RunResult> run = resultFromJson(readFile(output / "result.json").value());
   ASSERT_TRUE(run.ok()) << formatError(run.error());
+  ASSERT_TRUE(run->original.frame_ms && !run->front.empty()) << "nothing was measured, so there is no slider to read:\n" << outcome.all();
   const std::string html = readFile(output / "report.html").value();
   EXPECT_LT(html.size(), kMostPageBytes);
 

@@ -39,6 +39,9 @@ TEST_F(ReportInBrowser, BeginsWithTheSuspicionThatMotionIsMissing) {
   run.warnings.insert(run.warnings.begin(), "motion.suspect: no pixel moves");
   const OpenedPage page = open(run, {});
   EXPECT_EQ(page.console, "");
+  const std::size_t words = page.dom.find("<pre>");
+  ASSERT_NE(words, std::string::npos);
+  EXPECT_EQ(page.dom.substr(words + 5, 14), "motion.suspect") << "without scripts";
   const std::string body = page.body();
   const std::size_t suspicion = body.find("motion.suspect: no pixel moves");
   ASSERT_NE(suspicion, std::string::npos);

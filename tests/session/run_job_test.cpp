@@ -216,6 +216,10 @@ name = "ball"
 mesh = { kind = "sphere" }
 [uniforms]
 "Scene.view_projection" = "view_projection"
+"Scene.camera_position" = "camera_position"
+"Scene.shininess" = 24
+"Scene.light_position" = [2.5, 3.0, 4.0]
+"Scene.time_s" = "time"
 "Object.model" = "model"
 "Object.normal_matrix" = "normal_matrix"
 "Light.turn" = )" + light + R"(
