@@ -369,19 +369,20 @@ ModuleVerdict untestable(ModuleVerdict verdict, const std::string& code, const s
   return verdict;
 }
 
-// A difference says nothing where the device draws the module itself now so, now so, or ended its loops, nor where it is gone once undefined values are zero on our side.
+// A difference says nothing where the device ended the module's loops or draws the module itself now so, now so, nor where it is gone once
+// undefined values are zero on our side.
 // Looked at last, and whatever hinders the look leaves the failure as it is.
 ModuleVerdict unlessExcused(const ModuleVerdict& failed, ModuleCheck& check, const Bench& bench) {
   if (!check.is_excusable()) return failed;
-  if (const Result<bool> device = check.isDevicesFault(); device.ok() && *device)
-    return untestable(failed, "device.inconsistent",
-                      "the device draws a pixel of the module itself differently where other pixels beside it do not run, and the interpreter finds "
-                      "no other computation in the variant");
   const Result<bool> endless = loopsEndlessly(bench.given, check.inputs(), bench.context, bench.commands);
   if (endless.ok() && *endless)
     return untestable(failed, "original.endless",
                       fmt::format("with seed {} the shader itself loops more than {} times, and the device decides what comes of that",
                                   failed.seed, kEndlessIterations));
+  if (const Result<bool> device = check.isDevicesFault(); device.ok() && *device)
+    return untestable(failed, "device.inconsistent",
+                      "the device draws a pixel of the module itself differently where other pixels beside it do not run, and the interpreter finds "
+                      "no other computation in the variant");
   const Result<CompiledShader> zeros = withZeros(bench.given);
   if (!zeros.ok()) return failed;
   const ModuleVerdict defined = ModuleCheck(bench).run(*zeros);
