@@ -13,7 +13,7 @@ layout(set = 0, binding = 2) uniform sampler2D grain_map;
 layout(location = 0) out vec4 color;
 
 void main() {
-  vec4 leaf = texture(leaf_map, surface_uv * vec2(3.0, 2.0));
+  vec4 leaf = texture(leaf_map, surface_uv * vec2(2.0, 2.0));
   if (leaf.a < 0.5) discard;
   vec2 bent = surface_uv + 0.04 * sin(8.0 * object_position.xy + 2.0 * object_position.z);
   float grain = texture(grain_map, bent * 3.0).r;
