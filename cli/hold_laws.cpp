@@ -1,6 +1,7 @@
 #include "cli/hold_laws.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <bit>
@@ -83,9 +84,10 @@ FailureRow convictionOf(const LawDifference& difference, const std::string& sess
                       difference.output, passOf(strategy, difference.kind), colorText(difference.expected), colorText(difference.found), difference.pixels)};
 }
 
-std::vector<std::string> sessionsOf(const Scenario& scenario) {
+std::vector<std::string> sessionsOf(const Scenario& scenario, HeldSessions held) {
   std::vector<std::string> names;
-  for (const SessionSpec& session : scenario.sessions) names.push_back(session.name);
+  for (const SessionSpec& session : scenario.sessions)
+    if (held == HeldSessions::kAll || session.role == SessionRole::kTraining) names.push_back(session.name);
   return names;
 }
 
@@ -123,8 +125,9 @@ struct Case {
 
 class Court {
  public:
-  Court(const Subject& subject, const Workspace& workspace, const Measuring& measuring, const std::vector<VariantToHold>& variants)
-      : subject_(subject), workspace_(workspace), measuring_(measuring), variants_(variants), sessions_(sessionsOf(subject.scenario)) {}
+  Court(const Subject& subject, const Workspace& workspace, const Measuring& measuring, const std::vector<VariantToHold>& variants,
+        std::vector<std::string> sessions)
+      : subject_(subject), workspace_(workspace), measuring_(measuring), variants_(variants), sessions_(std::move(sessions)) {}
 
   Result<std::vector<LawVerdict>> hold(Progress& progress) {
     verdicts_.resize(variants_.size());
@@ -168,7 +171,7 @@ class Court {
   // one.key: the package's hash so far.
   Result<void> addCase(Case one) {
     const SeriesKey& base = measuring_.base;
-    one.key = "laws 1 and 3 " + contentHash(fmt::format("{} {} {} {} {} {} {} {} {} {} {}", one.key, one.request.period_frames, one.request.tolerance, base.shader_hash,
+    one.key = "laws 1 and 3 " + contentHash(fmt::format("{} {} {} {} {} {} {} {} {} {} {} {}", fmt::join(sessions_, ","), one.key, one.request.period_frames, one.request.tolerance, base.shader_hash,
                                                        base.scenario_hash, base.device, base.driver, base.width, base.height, base.seed, base.tool_version));
     REPRISE_ASSIGN(const std::optional<std::string> known, measuring_.store->text(one.key));
     if (known) {
@@ -261,8 +264,8 @@ class Court {
 bool isLawBroken(const FailureRow& conviction) { return conviction.code == kExactSetting || conviction.code == kFrozenWorld; }
 
 Result<std::vector<LawVerdict>> holdLaws(const Subject& subject, const Workspace& workspace, const Measuring& measuring,
-                                         const std::vector<VariantToHold>& variants, Progress& progress) {
-  return Court(subject, workspace, measuring, variants).hold(progress);
+                                         const std::vector<VariantToHold>& variants, Progress& progress, HeldSessions sessions) {
+  return Court(subject, workspace, measuring, variants, sessionsOf(subject.scenario, sessions)).hold(progress);
 }
 
 }  // namespace reprise

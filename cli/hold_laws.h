@@ -32,8 +32,12 @@ struct LawVerdict {
 // Whether the package differs from the original, rather than could not be played.
 bool isLawBroken(const FailureRow& conviction);
 
+// Training holds a candidate in the sessions that it is about to be measured in; whatever is accepted was held in all of them.
+enum class HeldSessions { kAll, kTraining };
+
 // One verdict by variant. Errors: those of compareWithOriginal and the store.
 Result<std::vector<LawVerdict>> holdLaws(const Subject& subject, const Workspace& workspace, const Measuring& measuring,
-                                         const std::vector<VariantToHold>& variants, Progress& progress);
+                                         const std::vector<VariantToHold>& variants, Progress& progress,
+                                         HeldSessions sessions = HeldSessions::kAll);
 
 }  // namespace reprise

@@ -21,7 +21,7 @@ Result<std::map<StudyAndStrategy, FailureRow>> TrainingLaws::convict(const std::
     variants.push_back({subject_.candidates[training.errors[study].candidate], training.errors[study].options, {}});
     variants.back().options.strategy = strategy;
   }
-  REPRISE_ASSIGN(const std::vector<LawVerdict> verdicts, holdLaws(subject_, workspace_, measuring_, variants, progress_));
+  REPRISE_ASSIGN(const std::vector<LawVerdict> verdicts, holdLaws(subject_, workspace_, measuring_, variants, progress_, HeldSessions::kTraining));
   std::map<StudyAndStrategy, FailureRow> convictions;
   for (std::size_t i = 0; i < fresh.size(); ++i) {
     const std::string& id = variants[i].candidate.id;
