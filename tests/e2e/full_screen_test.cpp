@@ -20,7 +20,7 @@ class FullScreenPass : public testing::Test {
   void sayThatNothingMoves() const { writeText(toml(), "motion = \"none\"\n" + textOf(toml())); }
 
   CommandOutcome optimize() const {
-    return runCommand({REPRISE_EXECUTABLE, "optimize", toml().string(), "--max-error", "0.2", "--budget", "20s", "-o", output().string()});
+    return runCommand({REPRISE_EXECUTABLE, "optimize", toml().string(), "--max-error", "0.2", "--budget", "120s", "-o", output().string()});
   }
 
   fs::path toml() const { return folder_ / "full_screen.toml"; }

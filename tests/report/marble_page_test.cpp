@@ -75,7 +75,7 @@ TEST_F(MarblePage, ShowsWhatTheResultSaysAtEveryStop) {
   const Result<std::filesystem::path> scenario = smallMarble(folder());
   ASSERT_TRUE(scenario.ok()) << formatError(scenario.error());
   const std::filesystem::path output = folder() / "out";
-  const CommandOutcome outcome = runCommand({REPRISE_EXECUTABLE, "optimize", *scenario, "--max-error", "0.02", "--budget", "120", "-o", output});
+  const CommandOutcome outcome = runCommand({REPRISE_EXECUTABLE, "optimize", *scenario, "--max-error", "0.02", "--budget", "300", "-o", output});
   ASSERT_EQ(outcome.status, 0) << outcome.all();
   const Result<RunResult> run = resultFromJson(readFile(output / "result.json").value());
   ASSERT_TRUE(run.ok()) << formatError(run.error());
