@@ -25,7 +25,7 @@ namespace reprise {
 namespace {
 
 constexpr int kSeedsTried = 5;
-constexpr std::size_t kAssignmentsTried = 6;       // of integers, for one module
+constexpr std::size_t kAssignmentsTried = 32;      // of integers, for one module
 constexpr std::size_t kAssignmentsPerVariant = 4;  // a variant is played with one in so many
 constexpr std::size_t kCandidatesTried = 4;  // with the first seed that means something; the best one alone with the others
 

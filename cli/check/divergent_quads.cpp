@@ -96,20 +96,30 @@ Result<Module> tracingModule(const ShaderProgram& program) {
 
 }  // namespace
 
-Result<std::vector<std::vector<bool>>> divergentQuads(const DivergentPlay& play, int frames) {
-  std::vector<std::vector<bool>> divergent;
-  if (play.program.analysis.divergence.derivatives.empty()) return divergent;
-  REPRISE_ASSIGN(const Module tracing, tracingModule(play.program));
-  ShaderProgram program = play.program;
-  program.fragment_words = writeModule(tracing);
-  program.interface.outputs = {{"reprise_parted", 0, ScalarKind::kFloat, 4}};
+Result<DivergentQuads> DivergentQuads::create(const Context& context, Commands& commands, const ShaderProgram& program) {
+  DivergentQuads quads(context, commands);
+  if (program.analysis.divergence.derivatives.empty()) return quads;
+  REPRISE_ASSIGN(const Module tracing, tracingModule(program));
+  ShaderProgram traced = program;
+  traced.fragment_words = writeModule(tracing);
+  traced.interface.outputs = {{"reprise_parted", 0, ScalarKind::kFloat, 4}};
   VariantOptions original;
   original.strategy = "original";
-  REPRISE_ASSIGN(const Package package, buildPackage(program, {}, original, {}));
-  REPRISE_ASSIGN(Harness harness, Harness::create(play.context, play.commands, program.interface, play.options));
-  REPRISE_ASSIGN(Player player, harness.createPlayer(package, true));
+  REPRISE_ASSIGN(quads.package_, buildPackage(traced, {}, original, {}));
+  quads.interface_ = std::make_unique<const ShaderInterface>(std::move(traced.interface));
+  return quads;
+}
+
+Result<std::vector<std::vector<bool>>> DivergentQuads::find(const HarnessOptions& inputs, int frames) {
+  std::vector<std::vector<bool>> divergent;
+  if (interface_ == nullptr) return divergent;
+  REPRISE_ASSIGN(Harness harness, Harness::create(*context_, *commands_, *interface_, inputs));
+  if (!player_) {
+    REPRISE_ASSIGN(player_, harness.createPlayer(package_, true));
+  }
+  player_->restart();
   for (int frame = 0; frame < frames; ++frame) {
-    REPRISE_ASSIGN(const HarnessFrame played, harness.play(player, {frame, 1}));
+    REPRISE_ASSIGN(const HarnessFrame played, harness.play(*player_, {frame, 1}));
     std::vector<bool>& pixels = divergent.emplace_back(played.depth.size(), false);
     for (std::size_t pixel = 0; pixel < pixels.size(); ++pixel) pixels[pixel] = played.colors[0][4 * pixel] != 0;
   }

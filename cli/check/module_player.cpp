@@ -1,8 +1,9 @@
 #include "cli/check/module_player.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
-#include "cli/check/divergent_quads.h"
 #include "cli/check/reference/play_original.h"
 #include "compiler/ir/reproducible.h"
 #include "compiler/strategies/refuse_variant.h"
@@ -54,8 +55,21 @@ Result<void> ModulePlayer::setInputs(const HarnessOptions& inputs) {
   inputs_ = inputs;
   REPRISE_ASSIGN(Harness harness, Harness::create(context_, commands_, program_.interface, inputs));
   harness_ = std::make_unique<Harness>(std::move(harness));
-  REPRISE_ASSIGN(left_out_, divergentQuads({context_, commands_, program_, inputs}, kMovingFrames));
+  if (!divergent_quads_) {
+    REPRISE_ASSIGN(divergent_quads_, DivergentQuads::create(context_, commands_, program_));
+  }
+  REPRISE_ASSIGN(left_out_, divergent_quads_->find(inputs, kMovingFrames));
   return {};
+}
+
+Result<Player*> ModulePlayer::playerFor(const std::string& key, const std::function<Result<Player>()>& make) {
+  auto known = players_.find(key);
+  if (known == players_.end()) {
+    REPRISE_ASSIGN(Player made, make());
+    known = players_.emplace(key, std::move(made)).first;
+  }
+  known->second.restart();
+  return &known->second;
 }
 
 Result<std::vector<HarnessFrame>> ModulePlayer::playWords(const std::vector<std::uint32_t>& fragment_words) {
@@ -65,29 +79,36 @@ Result<std::vector<HarnessFrame>> ModulePlayer::playWords(const std::vector<std:
 Result<Originals> ModulePlayer::originals(bool no_contraction) {
   Originals originals;
   REPRISE_ASSIGN(originals.given, reference_({inputs_, kMovingFrames, no_contraction}));
-  REPRISE_ASSIGN(originals.prepared, playWords(preparedWords(programOf(no_contraction))));
+  REPRISE_ASSIGN(Player* player, playerFor(no_contraction ? "prepared, strict" : "prepared", [&] {
+    const std::vector<std::uint32_t> words = preparedWords(programOf(no_contraction));
+    return harness_->createPlayer(originalPackage({program_.interface, program_.vertex_words, words}), true);
+  }));
+  REPRISE_ASSIGN(originals.prepared, playFrames(*harness_, *player, kMovingFrames));
   return originals;
 }
 
-Result<Player> ModulePlayer::variantPlayer(const ShaderProgram& program, const Candidate& candidate, const VariantOptions& options) {
-  REPRISE_ASSIGN(const Package package, buildPackage(program, candidate, options, limits_));
-  REPRISE_ASSIGN(Player player, harness_->createPlayer(package, false));
-  if (!player.originalReason().empty()) return Error{ErrorKind::kRefused, "device.requirement", player.originalReason(), {}};
-  return player;
+Result<Player*> ModulePlayer::variantPlayer(const Candidate& candidate, const VariantOptions& options, bool no_contraction) {
+  const std::string key = fmt::format("{} in {}{}{}", candidate.id, options.strategy, no_contraction ? ", strict" : "", options.poisoned ? ", poisoned" : "");
+  return playerFor(key, [&]() -> Result<Player> {
+    REPRISE_ASSIGN(const Package package, buildPackage(programOf(no_contraction), candidate, options, limits_));
+    REPRISE_ASSIGN(Player player, harness_->createPlayer(package, false));
+    if (!player.originalReason().empty()) return Error{ErrorKind::kRefused, "device.requirement", player.originalReason(), {}};
+    return player;
+  });
 }
 
 Result<VariantFrames> ModulePlayer::variant(const Candidate& candidate, const std::string& strategy, bool no_contraction) {
-  REPRISE_ASSIGN(Player player, variantPlayer(programOf(no_contraction), candidate, optionsFor(strategy)));
+  REPRISE_ASSIGN(Player* player, variantPlayer(candidate, optionsFor(strategy), no_contraction));
   VariantFrames frames;
   const auto play = [&](std::vector<HarnessFrame>& into, int frame, std::uint32_t period) -> Result<void> {
-    REPRISE_ASSIGN(HarnessFrame played, harness_->play(player, {frame, period}));
+    REPRISE_ASSIGN(HarnessFrame played, harness_->play(*player, {frame, period}));
     into.push_back(std::move(played));
     return {};
   };
   for (int frame = 0; frame < kPeriodOneFrames; ++frame) REPRISE_TRY(play(frames.period_one, frame, 1));
-  player.invalidate();
+  player->invalidate();
   for (int frame = 0; frame < kMovingFrames; ++frame) REPRISE_TRY(play(frames.moving, frame, kPeriod));
-  player.invalidate();
+  player->invalidate();
   for (int frame = 0; frame < kFrozenFrames; ++frame) REPRISE_TRY(play(frames.frozen, kFrozenShot, kPeriod));
   return frames;
 }
@@ -95,9 +116,9 @@ Result<VariantFrames> ModulePlayer::variant(const Candidate& candidate, const st
 Result<bool> ModulePlayer::poisonShows(const Candidate& candidate, const std::string& strategy, const std::vector<HarnessFrame>& moving) {
   VariantOptions options = optionsFor(strategy);
   options.poisoned = true;
-  REPRISE_ASSIGN(Player player, variantPlayer(program_, candidate, options));
+  REPRISE_ASSIGN(Player* player, variantPlayer(candidate, options, false));
   for (std::size_t frame = 0; frame < moving.size(); ++frame) {
-    REPRISE_ASSIGN(const HarnessFrame played, harness_->play(player, {static_cast<int>(frame), kPeriod}));
+    REPRISE_ASSIGN(const HarnessFrame played, harness_->play(*player, {static_cast<int>(frame), kPeriod}));
     if (played.colors != moving[frame].colors) return true;
   }
   return false;

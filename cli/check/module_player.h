@@ -1,8 +1,12 @@
 // One module under check, played in this process: its prepared form and its variants, beside what the reference shows.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <memory>
+#include <optional>
 
+#include "cli/check/divergent_quads.h"
 #include "cli/check/hold_laws.h"
 #include "cli/check/reference/reference.h"
 #include "compiler/strategies/build_package.h"
@@ -36,7 +40,9 @@ class ModulePlayer {
 
  private:
   const ShaderProgram& programOf(bool no_contraction);
-  Result<Player> variantPlayer(const ShaderProgram& program, const Candidate& candidate, const VariantOptions& options);
+  // What `make` makes, once for all inputs: pipelines cost far more than frames. Ready for frame 0.
+  Result<Player*> playerFor(const std::string& key, const std::function<Result<Player>()>& make);
+  Result<Player*> variantPlayer(const Candidate& candidate, const VariantOptions& options, bool no_contraction);
 
   const Context& context_;
   Commands& commands_;
@@ -45,7 +51,9 @@ class ModulePlayer {
   Reference reference_;
   StateLimits limits_;
   HarnessOptions inputs_;
-  std::unique_ptr<Harness> harness_;
+  std::unique_ptr<Harness> harness_;  // of the inputs
+  std::map<std::string, Player> players_;
+  std::optional<DivergentQuads> divergent_quads_;
   std::vector<std::vector<bool>> left_out_;
 };
 

@@ -28,31 +28,35 @@ float coefficient(uint number) {
   return float(bits >> 8) / 8388608.0 - 1.0;
 }
 
+// What depends on the block is selected, never branched on: lavapipe compiles a shader again, at every draw, for the uniform values that
+// decide its branches.
+
 // A coordinate, a direction or a place, or anything in about [-1, 1].
 float smoothValue(uint number) {
   uint kind = (harness.seed.y + number / 4u) % 3u;
   uint part = number % 4u;
-  if (kind == 0u) return part < 2u ? uv[part] : part == 2u ? 0.5 + 0.5 * position.z : 1.0;
-  if (kind == 1u) return part < 3u ? normal[part] : 1.0;
+  float coordinate = part < 2u ? uv[part] : part == 2u ? 0.5 + 0.5 * position.z : 1.0;
+  float direction = part < 3u ? normal[part] : 1.0;
   uint base = number * 5u;
-  return 0.3 * coefficient(base) + 0.5 * dot(vec3(coefficient(base + 1u), coefficient(base + 2u), coefficient(base + 3u)), position);
+  float any = 0.3 * coefficient(base) + 0.5 * dot(vec3(coefficient(base + 1u), coefficient(base + 2u), coefficient(base + 3u)), position);
+  return mix(mix(any, direction, kind == 1u), coordinate, kind == 0u);
 }
 
 // The value of scalar `number`, in a range that goes with the style of the made-up values.
 float wave(uint number) {
   float value = smoothValue(number);
-  return harness.seed.z == 2u ? value * 4.0 : harness.seed.z == 3u ? 0.5 + 0.5 * value : value;
+  return mix(mix(value, 0.5 + 0.5 * value, harness.seed.z == 3u), value * 4.0, harness.seed.z == 2u);
 }
 
 uint whole(uint number) {
   uint given = number < 128u ? harness.given[number / 4u][number % 4u] : 0xffffffffu;
-  return given != 0xffffffffu ? given : uint(2.0 + 2.0 * clamp(smoothValue(number), -0.99, 0.99));
+  return mix(uint(2.0 + 2.0 * clamp(smoothValue(number), -0.99, 0.99)), given, given != 0xffffffffu);
 }
 
 // The same in the whole draw, as indices into arrays of descriptors have to be, and within the shortest of them.
 uint wholeIndex(uint number) {
   uint given = number < 128u ? harness.given[number / 4u][number % 4u] : 0xffffffffu;
-  return (given != 0xffffffffu ? given : harness.seed.y + number) % INDEX_LIMIT;
+  return mix(harness.seed.y + number, given, given != 0xffffffffu) % INDEX_LIMIT;
 }
 
 )";

@@ -365,6 +365,11 @@ void Player::invalidate(const std::string& input) {
       if (namesInput(name, input)) invalidate();
 }
 
+void Player::restart() {
+  invalidate();
+  state_->frame = 0;
+}
+
 bool Player::playsOriginal() const { return state_->recipe == &state_->package.original || !state_->recipe->uses_reprise_set; }
 const std::string& Player::originalReason() const { return state_->original_reason; }
 const Recipe& Player::recipe() const { return *state_->recipe; }

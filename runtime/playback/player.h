@@ -158,6 +158,8 @@ class Player {
   // A changed light or texture: all misses if the payload depends on it. `input` as PayloadValue::inputs spells it, or a
   // block, member or texture name alone.
   void invalidate(const std::string& input);
+  // What follows is played as after create(): all misses first, and the refresh pattern begins anew.
+  void restart();
   bool playsOriginal() const;
   const std::string& originalReason() const;  // empty unless requirements were missing
   const Recipe& recipe() const;               // the one that is played

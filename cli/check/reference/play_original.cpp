@@ -32,6 +32,10 @@ Package originalPackage(const PlayedModule& module) {
 
 Result<std::vector<HarnessFrame>> playOriginal(Harness& harness, const PlayedModule& module, int frames) {
   REPRISE_ASSIGN(Player player, harness.createPlayer(originalPackage(module), true));
+  return playFrames(harness, player, frames);
+}
+
+Result<std::vector<HarnessFrame>> playFrames(Harness& harness, Player& player, int frames) {
   std::vector<HarnessFrame> played;
   for (int frame = 0; frame < frames; ++frame) {
     REPRISE_ASSIGN(HarnessFrame one, harness.play(player, {frame, 1}));

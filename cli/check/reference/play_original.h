@@ -16,7 +16,8 @@ struct PlayedModule {
 
 Package originalPackage(const PlayedModule& module);
 
-// Frames 0 .. frames - 1 under motion. Errors: those of Harness.
+// Frames 0 .. frames - 1 under motion. The player was made by a harness of the same interface, with whatever inputs. Errors: those of Harness.
+Result<std::vector<HarnessFrame>> playFrames(Harness& harness, Player& player, int frames);
 Result<std::vector<HarnessFrame>> playOriginal(Harness& harness, const PlayedModule& module, int frames);
 
 }  // namespace reprise

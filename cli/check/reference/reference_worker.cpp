@@ -3,7 +3,9 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
+#include <array>
 #include <memory>
+#include <optional>
 
 #include "cli/check/reference/no_contraction.h"
 #include "cli/check/reference/play_original.h"
@@ -18,6 +20,7 @@ struct Device {
   std::unique_ptr<const Context> context;
   Commands commands;
   ShaderInterface interface;
+  std::array<std::optional<Player>, 2> players;  // of the module as given, and with NoContraction: made when first asked for
 };
 
 Result<Device> openDevice(const ReferenceModule& module) {
@@ -29,17 +32,26 @@ Result<Device> openDevice(const ReferenceModule& module) {
   REPRISE_ASSIGN(Context context, Context::create(options));
   auto kept = std::make_unique<const Context>(std::move(context));
   REPRISE_ASSIGN(Commands commands, Commands::create(*kept));
-  return Device{std::move(kept), std::move(commands), std::move(interface)};
+  return Device{std::move(kept), std::move(commands), std::move(interface), {}};
 }
 
-Result<std::vector<HarnessFrame>> answerTo(const ReferenceAsk& ask, const ReferenceModule& module, Device& device) {
+Result<Player> createPlayer(const Harness& harness, const ReferenceAsk& ask, const ReferenceModule& module, const Device& device) {
   std::vector<std::uint32_t> words = module.fragment_words;
   if (ask.no_contraction) {
     words = withNoContraction(words);
     REPRISE_TRY(validateModule(words));
   }
+  return harness.createPlayer(originalPackage({device.interface, module.vertex_words, words}), true);
+}
+
+Result<std::vector<HarnessFrame>> answerTo(const ReferenceAsk& ask, const ReferenceModule& module, Device& device) {
   REPRISE_ASSIGN(Harness harness, Harness::create(*device.context, device.commands, device.interface, ask.inputs));
-  return playOriginal(harness, {device.interface, module.vertex_words, words}, ask.frames);
+  std::optional<Player>& player = device.players[ask.no_contraction ? 1 : 0];
+  if (!player) {
+    REPRISE_ASSIGN(player, createPlayer(harness, ask, module, device));
+  }
+  player->restart();
+  return playFrames(harness, *player, ask.frames);
 }
 
 }  // namespace
