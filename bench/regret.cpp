@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/probe_ranges.h"
+#include "cli/pipeline.h"
 #include "cli/train.h"
 #include "fitting/solve/paired_ratio.h"
 #include "runtime/base/file.h"
@@ -90,6 +91,7 @@ class Search {
   Result<std::vector<double>> errorsOf(std::size_t candidate, const VariantOptions& options, const std::vector<std::uint32_t>& periods) const {
     REPRISE_ASSIGN(const StoredVariant counting, stored(candidate, options, "branch", true));
     REPRISE_ASSIGN(const StoredVariant original, stored(candidate, options, "original", false));
+    const ErrorLimits limits = limitsOf(result_);
     std::vector<double> worst(periods.size(), 0);
     for (const std::string& session : sessions_) {
       Job job;
@@ -97,10 +99,10 @@ class Search {
       job.session = session;
       job.original_dir = original.dir;
       for (const std::uint32_t period : periods) job.entries.push_back({counting.dir, period});
-      job.metrics = {result_.threshold.metric};
+      job.metrics = limits.metrics();
       REPRISE_ASSIGN(const JobResult measured, runHere(job));
       for (std::size_t i = 0; i < periods.size(); ++i) {
-        const auto error = sessionError(result_.threshold.metric, {&measured.errors[i]}, periods[i], options.pattern);
+        const auto error = sessionError(limits, {&measured.errors[i]}, periods[i], options.pattern);
         worst[i] = error && !std::isnan(worst[i]) ? std::max(worst[i], *error) : std::nan("");
       }
     }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "profiler/metrics/metrics.h"
 #include "runtime/base/file.h"
 
 namespace reprise {
@@ -134,6 +135,27 @@ void readMeasured(const Json& json, Choice& choice) {
   choice.models.hit_rate_mu = numberOrNone(models, "hit_rate_mu");
 }
 
+Json thresholdsJson(const ErrorLimits& limits) {
+  Json list = Json::array();
+  for (const Threshold& threshold : limits.thresholds) list.push_back({{"metric", threshold.metric}, {"value", threshold.value}});
+  return list;
+}
+
+// A file of format 1 has a single threshold and no gain.
+void readLimits(const Json& json, Choice& choice) {
+  const auto add = [&](const Json& one) {
+    const Threshold threshold{one.at("metric").get<std::string>(), one.at("value").get<double>()};
+    if (findMetric(threshold.metric) == nullptr) throw std::runtime_error(fmt::format("'{}' is no metric that this version knows", threshold.metric));
+    if (!(threshold.value > 0)) throw std::runtime_error("a threshold must be above 0");
+    choice.limits.thresholds.push_back(threshold);
+  };
+  if (!json.contains("thresholds")) return add(json.at("threshold"));
+  for (const Json& one : json.at("thresholds")) add(one);
+  if (choice.limits.thresholds.empty()) throw std::runtime_error("a choice needs a threshold");
+  if (!json.at("quality").is_null()) choice.quality = json.at("quality").get<std::string>();
+  choice.least_gain = json.at("least_gain").get<double>();
+}
+
 Choice choiceFrom(const Json& json) {
   Choice choice;
   choice.tool_version = json.at("tool_version").get<std::string>();
@@ -144,8 +166,7 @@ Choice choiceFrom(const Json& json) {
   choice.scenario_file = json.at("scenario").at("file").get<std::string>();
   choice.scenario_hash = json.at("scenario").at("hash").get<std::string>();
   choice.shader_hash = json.at("shader_hash").get<std::string>();
-  choice.metric = json.at("threshold").at("metric").get<std::string>();
-  choice.max_error = json.at("threshold").at("value").get<double>();
+  readLimits(json, choice);
   const Json& device = json.at("device");
   choice.device = {device.at("name").get<std::string>(), device.at("driver").get<std::string>(), device.at("clock").get<std::string>()};
   if (choice.is_original) return choice;
@@ -166,7 +187,9 @@ std::string choiceToJson(const Choice& choice) {
                {"reason", choice.reason},
                {"scenario", {{"file", choice.scenario_file}, {"hash", choice.scenario_hash}}},
                {"shader_hash", choice.shader_hash},
-               {"threshold", {{"metric", choice.metric}, {"value", choice.max_error}}},
+               {"quality", choice.quality.empty() ? Json(nullptr) : Json(choice.quality)},
+               {"thresholds", thresholdsJson(choice.limits)},
+               {"least_gain", choice.least_gain},
                {"device", {{"name", choice.device.name}, {"driver", choice.device.driver}, {"clock", choice.device.clock}}}};
   if (!choice.is_original) {
     json["candidate"] = choice.candidate_id;

@@ -13,11 +13,12 @@
 
 #include "compiler/candidates/find_payload.h"
 #include "compiler/strategies/build_recipe.h"
+#include "profiler/metrics/error_limits.h"
 #include "runtime/base/result.h"
 
 namespace reprise {
 
-inline constexpr int kChoiceFormatVersion = 1;
+inline constexpr int kChoiceFormatVersion = 2;
 
 struct ChosenDevice {
   std::string name, driver, clock;  // clock: "process_cpu" or "timestamps"
@@ -43,8 +44,9 @@ struct Choice {
   std::string reason;                       // one sentence
   std::string scenario_file, scenario_hash; // the file without folders
   std::string shader_hash;
-  std::string metric = "rms";
-  double max_error = 0;
+  std::string quality;                      // the level that bound; "" if none did
+  ErrorLimits limits;                       // all thresholds
+  double least_gain = 1;
   ChosenDevice device;
   std::string candidate_id;
   std::vector<IdentifiedValue> payload;

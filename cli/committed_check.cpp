@@ -17,8 +17,8 @@ Result<CommittedCheck> checkCommitted(const Choice& choice, const CommittedMeasu
                              formatNumber(1 / measured.speedup), formatNumber(1 / recorded), formatGiven(cost_tolerance),
                              formatNumber(measured.speedup), formatNumber(recorded)), {}};
   CommittedCheck check;
-  check.sentence = fmt::format("error {} (at most {}; recorded {}), {} times as fast as the original (recorded {})", formatNumber(measured.error),
-                               formatGiven(choice.max_error), choice.measured.error ? formatNumber(*choice.measured.error) : "n/a",
+  check.sentence = fmt::format("error {} {} (at most {}; recorded {}), {} times as fast as the original (recorded {})", formatNumber(measured.error),
+                               choice.limits.unit(), formatGiven(choice.limits.limit()), choice.measured.error ? formatNumber(*choice.measured.error) : "n/a",
                                formatNumber(measured.speedup), recorded > 0 ? formatNumber(recorded) : "n/a");
   if (measured.device != choice.device.name)
     check.note = "recorded on " + choice.device.name + ", measured on " + measured.device;

@@ -14,7 +14,7 @@ namespace reprise {
 
 struct CommittedMeasures {
   Judgement judgement;       // of the threshold and of the gain
-  double error = 0;          // of the worst session
+  double error = 0;          // of the worst session, in the unit of the choice's limits
   double speedup = 0;
   std::string device;
 };

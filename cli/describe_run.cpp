@@ -49,24 +49,23 @@ std::vector<double> clockOf(const std::map<std::string, std::vector<TimedFrame>>
   return times;
 }
 
-std::optional<double> measuredError(const ErrorStudy& study, std::uint32_t period, const std::string& metric) {
+std::optional<double> measuredError(const ErrorStudy& study, std::uint32_t period, const ErrorLimits& limits) {
   const auto sessions = study.rows.find(period);
   if (sessions == study.rows.end()) return std::nullopt;
   std::vector<const std::vector<ErrorRow>*> rows;
   for (const auto& [session, series] : sessions->second) rows.push_back(&series);
-  return sessionError(metric, rows, period, study.options.pattern);
+  return sessionError(limits, rows, period, study.options.pattern);
 }
 
 // What the errors of single frames lie in, over all settled frames, but for 2.5% at each end.
-std::optional<RunInterval> frameErrors(const ErrorStudy& study, std::uint32_t period, const std::string& metric) {
+std::optional<RunInterval> frameErrors(const ErrorStudy& study, std::uint32_t period, const ErrorLimits& limits) {
   std::vector<double> errors;
   const auto sessions = study.rows.find(period);
   if (sessions == study.rows.end()) return std::nullopt;
   for (const auto& [session, rows] : sessions->second)
     for (const ErrorRow& row : rows)
-      if (const auto error = row.errors.find(metric);
-          countsForError(row.frame, period, study.options.pattern) && row.covered > 0 && error != row.errors.end())
-        errors.push_back(error->second);
+      if (const auto error = frameError(limits, row); countsForError(row.frame, period, study.options.pattern) && row.covered > 0 && error)
+        errors.push_back(*error);
   if (errors.empty()) return std::nullopt;
   const OrderRange range = middleRange(std::move(errors), 0.95);
   return RunInterval{range.lo, range.hi};
@@ -96,7 +95,7 @@ void describeTimes(const CostStudy& costs, std::uint32_t period, bool in_pairs, 
 }
 
 void addPoints(const Training& training, const FittedTraining& fitted, const Selection& selection, std::size_t configuration,
-               const std::string& metric, RunConfiguration& described) {
+               const ErrorLimits& limits, RunConfiguration& described) {
   const CostStudy& costs = training.costs[fitted.cost_study[configuration]];
   const ErrorFit& fit = fitted.input.configurations[configuration].error_fit;
   const ErrorStudy& errors = training.errors[costs.error_study];
@@ -106,9 +105,9 @@ void addPoints(const Training& training, const FittedTraining& fitted, const Sel
     entry.period_frames = point.period_frames;
     entry.predicted_error = known(point.predicted_error);
     entry.predicted_frame_ms = known(point.predicted_frame_ms);
-    entry.measured_error = measuredError(errors, point.period_frames, metric);
+    entry.measured_error = measuredError(errors, point.period_frames, limits);
     entry.predicted_hit_rate = known(point.predicted_hit_rate);
-    entry.measured_error_frames = frameErrors(errors, point.period_frames, metric);
+    entry.measured_error_frames = frameErrors(errors, point.period_frames, limits);
     if (point.period_frames != kNeverRefresh && isUsable(fit.verdict)) {
       const ErrorPrediction error = predictError(fit, point.period_frames);
       entry.predicted_error_ci95 = RunInterval{error.lo, error.hi};
@@ -136,7 +135,7 @@ RunConfiguration describeConfiguration(const Configuration& configuration) {
 }
 
 // An error study without a strategy's times still has a curve: its points without frame times.
-RunConfiguration untimedConfiguration(const ErrorStudy& study, const Subject& subject, const std::string& metric) {
+RunConfiguration untimedConfiguration(const ErrorStudy& study, const Subject& subject, const ErrorLimits& limits) {
   RunConfiguration described;
   described.strategy = study.options.strategy;
   described.pattern = nameOf(study.options.pattern);
@@ -144,13 +143,13 @@ RunConfiguration untimedConfiguration(const ErrorStudy& study, const Subject& su
   described.encoding = nameOf(study.options.encoding);
   described.block_pixels = blockPixels(study.options);
   described.cost_verdict = "not timed";
-  const ErrorFit fit = fitErrors(study, metric);
+  const ErrorFit fit = fitErrors(study, limits);
   for (const std::uint32_t period : subject.scenario.periods) {
     if (period == 1) continue;
     RunPoint point;
     point.period_frames = period;
     if (period != kNeverRefresh && isUsable(fit.verdict)) point.predicted_error = known(predictError(fit, period).value);
-    point.measured_error = measuredError(study, period, metric);
+    point.measured_error = measuredError(study, period, limits);
     described.points.push_back(point);
   }
   return described;
@@ -183,7 +182,7 @@ void describeStatus(const Training& training, std::size_t index, const Candidate
 }  // namespace
 
 std::vector<RunCandidate> describeCandidates(const Subject& subject, const Training& training, const FittedTraining& fitted,
-                                             const Selection& selection, const std::string& metric) {
+                                             const Selection& selection, const ErrorLimits& limits) {
   std::vector<RunCandidate> described;
   for (std::size_t index = 0; index < subject.candidates.size(); ++index) {
     const Candidate& candidate = subject.candidates[index];
@@ -201,7 +200,7 @@ std::vector<RunCandidate> describeCandidates(const Subject& subject, const Train
     for (std::size_t study = 0; study < training.errors.size(); ++study) {
       const ErrorStudy& errors = training.errors[study];
       if (errors.candidate != index || errors.rows.empty()) continue;
-      if (!has_rows) entry.error_model = describeModel(fitErrors(errors, metric));
+      if (!has_rows) entry.error_model = describeModel(fitErrors(errors, limits));
       has_rows = true;
       bool timed = false;
       for (std::size_t i = 0; i < fitted.cost_study.size(); ++i) {
@@ -211,10 +210,10 @@ std::vector<RunCandidate> describeCandidates(const Subject& subject, const Train
         if (!entry.hit_rate_mu && isUsable(configuration.hit_rate.verdict)) entry.hit_rate_mu = configuration.hit_rate.mu.value;
         RunConfiguration one = describeConfiguration(configuration);
         one.cache_bytes_per_pixel = cacheBytes(candidate, errors.options, one.strategy);
-        addPoints(training, fitted, selection, i, metric, one);
+        addPoints(training, fitted, selection, i, limits, one);
         entry.configurations.push_back(std::move(one));
       }
-      if (!timed) entry.configurations.push_back(untimedConfiguration(errors, subject, metric));
+      if (!timed) entry.configurations.push_back(untimedConfiguration(errors, subject, limits));
     }
     if (const auto limit = training.limits.find(index); limit != training.limits.end())
       entry.limit_frame_ms = known(limitFrameTime(subject.scenario, fitted.input.original_frame_ms, medianOf(clockTimes(limit->second, false))));
@@ -260,15 +259,20 @@ RunAttempt describeAttempt(const FittedTraining& fitted, const ValidationAttempt
   return described;
 }
 
-std::vector<RunSession> describeSessions(const ValidationRun& run, const std::string& metric) {
+std::vector<RunMetric> describeMetrics(const ValidationRun& run) {
+  std::vector<RunMetric> described;
+  for (const MetricOutcome& outcome : run.metrics) described.push_back({outcome.metric, outcome.all_sessions, outcome.worst_session, outcome.worst_frame});
+  return described;
+}
+
+std::vector<RunSession> describeSessions(const ValidationRun& run, const ErrorLimits& limits) {
   std::vector<RunSession> sessions;
   for (const ValidatedSession& session : run.sessions) {
     RunSession described{session.name, {}};
     for (const ErrorRow& row : session.rows) {
       RunFrame frame;
       frame.frame = row.frame;
-      const auto value = row.errors.find(metric);
-      frame.error = value != row.errors.end() ? value->second : std::nan("");
+      frame.error = frameError(limits, row).value_or(std::nan(""));
       if (row.covered > 0) frame.hit_rate = static_cast<double>(row.hits) / static_cast<double>(row.covered);
       for (const TimedFrame& timed : session.variant)
         if (timed.frame == row.frame) frame.frame_ms = timed.clock_ms;

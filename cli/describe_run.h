@@ -20,7 +20,7 @@ struct ValidationAttempt {
 
 // All candidates with their models, configurations and points, or the reason why they have none.
 std::vector<RunCandidate> describeCandidates(const Subject& subject, const Training& training, const FittedTraining& fitted,
-                                             const Selection& selection, const std::string& metric);
+                                             const Selection& selection, const ErrorLimits& limits);
 
 RunVariant describeVariant(const Configuration& configuration, std::uint32_t period_frames);
 
@@ -34,6 +34,9 @@ RunAttempt describeAttempt(const FittedTraining& fitted, const ValidationAttempt
 void describeAccepted(const Subject& subject, const Training& training, const FittedTraining& fitted, const ValidationAttempt& attempt,
                       RunResult& result);
 
-std::vector<RunSession> describeSessions(const ValidationRun& run, const std::string& metric);
+// All metrics over the validation, side by side.
+std::vector<RunMetric> describeMetrics(const ValidationRun& run);
+
+std::vector<RunSession> describeSessions(const ValidationRun& run, const ErrorLimits& limits);
 
 }  // namespace reprise

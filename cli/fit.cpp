@@ -68,22 +68,22 @@ std::vector<TimedCount> timedAndCounted(const ErrorStudy& errors, const CostStud
 }
 std::uint32_t blockPixels(const VariantOptions& options) { return options.pattern == PatternKind::kWhole ? 0 : options.block_pixels; }
 
-std::vector<ErrorPoint> errorPoints(const ErrorStudy& study, const std::string& metric) {
+std::vector<ErrorPoint> errorPoints(const ErrorStudy& study, const ErrorLimits& limits) {
   std::vector<ErrorPoint> points;
   for (const auto& [period, sessions] : study.rows)
-    if (const auto value = sessionError(metric, rowsOf(sessions), period, study.options.pattern); value && period != kNeverRefresh && period > 1)
+    if (const auto value = sessionError(limits, rowsOf(sessions), period, study.options.pattern); value && period != kNeverRefresh && period > 1)
       points.push_back({period, *value, 0});
   return points;
 }
 
-ErrorFit fitErrors(const ErrorStudy& study, const std::string& metric) { return fitErrorModel(errorPoints(study, metric)); }
+ErrorFit fitErrors(const ErrorStudy& study, const ErrorLimits& limits) { return fitErrorModel(errorPoints(study, limits)); }
 
-std::optional<double> neverError(const ErrorStudy& study, const std::string& metric) {
+std::optional<double> neverError(const ErrorStudy& study, const ErrorLimits& limits) {
   const auto never = study.rows.find(kNeverRefresh);
-  return never == study.rows.end() ? std::nullopt : sessionError(metric, rowsOf(never->second), kNeverRefresh);
+  return never == study.rows.end() ? std::nullopt : sessionError(limits, rowsOf(never->second), kNeverRefresh);
 }
 
-FittedTraining fitTraining(const Subject& subject, const Training& training, const std::string& metric) {
+FittedTraining fitTraining(const Subject& subject, const Training& training, const ErrorLimits& limits) {
   FittedTraining fitted;
   fitted.input.original_frame_ms = originalFrameMs(training);
   for (std::size_t i = 0; i < training.costs.size(); ++i) {
@@ -97,14 +97,14 @@ FittedTraining fitTraining(const Subject& subject, const Training& training, con
     configuration.filter = nameOf(errors.options.filter);
     configuration.encoding = nameOf(errors.options.encoding);
     configuration.block_pixels = blockPixels(errors.options);
-    configuration.error_fit = fitErrors(errors, metric);
+    configuration.error_fit = fitErrors(errors, limits);
     configuration.hit_rate = fitHits(errors);
     configuration.cost = fitCost(costPoints(errors, costs));
     configuration.fragments_per_frame = meanFragments(errors);
     for (const std::uint32_t period : subject.scenario.periods) {
       if (period == 1) continue;
       if (period == kNeverRefresh) {
-        if (const auto never = neverError(errors, metric)) configuration.periods.push_back({period, never});
+        if (const auto never = neverError(errors, limits)) configuration.periods.push_back({period, never});
       } else {
         configuration.periods.push_back({period, std::nullopt});
       }

@@ -19,10 +19,10 @@ struct FittedTraining {
 };
 
 // Points of an error study: one for each period with settled frames, over all its sessions.
-std::vector<ErrorPoint> errorPoints(const ErrorStudy& study, const std::string& metric);
-ErrorFit fitErrors(const ErrorStudy& study, const std::string& metric);
+std::vector<ErrorPoint> errorPoints(const ErrorStudy& study, const ErrorLimits& limits);
+ErrorFit fitErrors(const ErrorStudy& study, const ErrorLimits& limits);
 // The error of "never", measured directly; nullopt if that period was not trained.
-std::optional<double> neverError(const ErrorStudy& study, const std::string& metric);
+std::optional<double> neverError(const ErrorStudy& study, const ErrorLimits& limits);
 
 // Frames that were both timed and counted: Eq. 5 wants the fragments of the very frame.
 struct TimedCount {
@@ -31,7 +31,7 @@ struct TimedCount {
 };
 std::vector<TimedCount> timedAndCounted(const ErrorStudy& errors, const CostStudy& costs);
 
-FittedTraining fitTraining(const Subject& subject, const Training& training, const std::string& metric);
+FittedTraining fitTraining(const Subject& subject, const Training& training, const ErrorLimits& limits);
 
 // One warning with the worst figures where training frames cannot tell the cost model's terms apart (cost_design.h); else none.
 std::vector<std::string> costWarnings(const Training& training);

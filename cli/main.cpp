@@ -22,12 +22,14 @@
 #include "cli/report/text.h"
 #include "cli/report_directory.h"
 #include "cli/version.h"
+#include "profiler/metrics/metrics.h"
+#include "profiler/metrics/quality.h"
 #include "profiler/session/job.h"
 
 namespace reprise {
 namespace {
 
-constexpr int kInputStatus = 1, kUsageStatus = 2, kMachineStatus = 3, kInterruptedStatus = 130;
+constexpr int kInputStatus = 1, kUsageStatus = 2, kMachineStatus = 3, kUndecidedStatus = 4, kInterruptedStatus = 130;
 
 std::atomic<bool> interrupt_seen{false};
 
@@ -61,6 +63,7 @@ struct Words {
   std::string error_format = "text";
   std::string device;
   OptimizeArguments optimize;
+  DemandWords demand;
   std::string budget;
   AnalyzeArguments analyze;
   CheckArguments check;
@@ -108,12 +111,15 @@ int runOptimize(Words& words, const std::string& command) {
   arguments.budget_s = secondsFrom(words.budget);
   if (arguments.budget_s < 0)
     return report({ErrorKind::kUsage, "budget.value", "--budget is '" + words.budget + "'; it must be a time such as 120s or 2m", {}}, words.errorsAsJson());
+  Result<Demand> demand = demandOf(words.demand);
+  if (!demand.ok()) return report(demand.error(), words.errorsAsJson());
+  arguments.demand = std::move(*demand);
   Progress progress(progressStyle(words.quiet));
   const Result<RunResult> result = optimize(arguments, progress);
   if (!result.ok()) return report(result.error(), words.errorsAsJson());
   std::cout << summaryText(*result);
   if (!words.quiet) std::cout << "report: " << (std::filesystem::path(arguments.output) / "report.html").string() << '\n';
-  return 0;
+  return result->choice.kind == ChoiceKind::kUndecided ? kUndecidedStatus : 0;
 }
 
 // The scenario of a committed choice: the one named, that of an output directory, or the one beside the choice.
@@ -224,9 +230,16 @@ int runCheck(Words& words) {
 void addOptimize(CLI::App& app, Words& words) {
   CLI::App* command = app.add_subcommand("optimize", "find, measure and package the fastest variant under an error threshold");
   command->add_option("scenario", words.optimize.scenario, "TOML file (docs/scenario.md), or a glTF model (.gltf, .glb)")->required();
-  command->add_option("--max-error", words.optimize.max_error, "threshold of the metric")->capture_default_str();
-  command->add_option("--metric", words.optimize.metric, "rms, mean, p95, ssim, flip, over8 or flicker")->capture_default_str();
-  command->add_option("--budget", words.budget, "time for training, such as 120s or 2m");
+  std::string levels;
+  for (const Quality& quality : qualities()) levels += (levels.empty() ? "" : ", ") + quality.name;
+  command->add_option("--quality", words.demand.quality, "level of quality: " + levels + "; " + kDefaultQuality + " where nothing else is allowed");
+  command->add_option("--max", words.demand.max, "METRIC=VALUE, the most that a metric may be; may be given several times, and all bind: " + metricNames())
+      ->allow_extra_args(false);
+  command->add_option("--max-error", words.demand.max_error, "the same of the metric of --metric");
+  command->add_option("--metric", words.demand.metric, "of --max-error; rms where none is named");
+  command->add_option("--min-gain", words.optimize.least_gain, "speed-up that a variant must exceed beyond the noise")->capture_default_str();
+  command->add_option("--budget", words.budget,
+                      "time that the run may take from when it holds the device, validation and report included, such as 120s or 2m; as long as it takes where none is given");
   command->add_option("-o,--output", words.optimize.output, "directory of the results")->capture_default_str();
 }
 

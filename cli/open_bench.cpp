@@ -31,7 +31,7 @@ Result<Bench> openBench(const Subject& subject, const Workspace& workspace, cons
   measuring.scenario_path = workspace.scenarioFile().string();
   measuring.original_dir = stored.dir;
   measuring.device = options.device;
-  measuring.metrics = {options.metric};
+  measuring.metrics = options.metrics;
   measuring.supervisor.worker_path = options.worker_path;
   measuring.supervisor.interrupted = options.interrupted;
   return bench;

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "cli/subject.h"
 #include "cli/workspace.h"
@@ -15,7 +16,7 @@ namespace reprise {
 struct BenchOptions {
   std::string device;       // as ContextOptions::device
   std::string worker_path;  // this executable
-  std::string metric = "rms";
+  std::vector<std::string> metrics;  // that training needs besides the cheap ones
   std::function<bool()> interrupted;
 };
 

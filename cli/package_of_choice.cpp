@@ -83,8 +83,9 @@ Choice describeChoice(const Subject& subject, const ChosenVariant* variant, cons
   choice.scenario_file = fs::path(result.scenario.path).filename().string();
   choice.scenario_hash = subject.scenario.hash;
   choice.shader_hash = shaderHash(subject);
-  choice.metric = result.threshold.metric;
-  choice.max_error = result.threshold.value;
+  choice.quality = result.quality;
+  for (const RunThreshold& threshold : result.thresholds) choice.limits.thresholds.push_back({threshold.metric, threshold.value});
+  choice.least_gain = result.least_gain;
   choice.device = {result.device.name, result.device.driver, result.clock};
   if (variant == nullptr) return choice;
   choice.candidate_id = variant->candidate.id;

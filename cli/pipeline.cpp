@@ -7,11 +7,12 @@
 #include <ctime>
 #include <fstream>
 
+#include "cli/answer.h"
+#include "cli/budget.h"
 #include "cli/describe_evidence.h"
 #include "cli/describe_run.h"
 #include "cli/device_lock.h"
 #include "cli/evidence_pictures.h"
-#include "cli/explain_original.h"
 #include "cli/fit.h"
 #include "cli/measured_device.h"
 #include "cli/model_scenario.h"
@@ -33,7 +34,7 @@
 namespace reprise {
 namespace {
 
-constexpr std::size_t kMostAttempts = 5;
+constexpr std::size_t kMostAttempts = 16;
 
 class StageClock {
  public:
@@ -53,13 +54,9 @@ class StageClock {
 };
 
 Result<void> checkArguments(const OptimizeArguments& arguments) {
-  if (!(arguments.max_error > 0) || !std::isfinite(arguments.max_error))
-    return Error{ErrorKind::kUsage, "threshold.value",
-                 fmt::format("--max-error is {}; it must be a number above 0, such as 0.02", arguments.max_error), {}};
-  if (findMetric(arguments.metric) != nullptr) return {};
-  std::string known;
-  for (const Metric& metric : metrics()) known += (known.empty() ? "" : ", ") + metric.name;
-  return Error{ErrorKind::kUsage, "metric.unknown", "there is no metric '" + arguments.metric + "'; there are " + known, {}};
+  if (!(arguments.least_gain >= 1) || !std::isfinite(arguments.least_gain))
+    return Error{ErrorKind::kUsage, "gain.value", fmt::format("--min-gain is {}; it must be a number of at least 1, such as 1.05", arguments.least_gain), {}};
+  return {};
 }
 
 std::string utcNow() {
@@ -95,22 +92,27 @@ RunResult describeSubject(const Subject& subject, const OptimizeArguments& argum
   result.scenario = {arguments.scenario, subject.scenario.name, subject.scenario.hash, subject.scenario.width, subject.scenario.height,
                      subject.scenario.seed, frames, std::nullopt};
   if (subject.scenario.stereo) result.scenario.eye_distance = static_cast<double>(subject.scenario.stereo->eye_distance);
-  result.threshold = {arguments.metric, arguments.max_error};
+  result.quality = arguments.demand.quality;
+  for (const Threshold& threshold : arguments.demand.binding.thresholds) result.thresholds.push_back({threshold.metric, threshold.value});
+  result.threshold = {arguments.demand.binding.unit(), arguments.demand.binding.limit()};
+  result.least_gain = arguments.least_gain;
   result.command = arguments.command;
   return result;
 }
 
 Result<DeviceLock> lockDevice(const DeviceSummary& device, const OptimizeArguments& arguments, Progress& progress) {
   return DeviceLock::take(device.name, arguments.command.empty() ? "reprise" : arguments.command,
-                          {[&](const std::string& holder) { progress.say("waiting for " + device.name + ", which another run measures on (" + holder + ")"); },
+                          {[&](const std::string& holder) { progress.sayAlways("waiting for " + device.name + ", which another run measures on (" + holder + ")"); },
                            arguments.interrupted});
 }
 
-BenchOptions benchOptions(const OptimizeArguments& arguments) { return {arguments.device, arguments.worker_path, arguments.metric, arguments.interrupted}; }
+BenchOptions benchOptions(const OptimizeArguments& arguments) { return {arguments.device, arguments.worker_path, arguments.demand.planning.metrics(), arguments.interrupted}; }
 
 struct Validated {
   std::vector<ValidationAttempt> attempts;
   std::optional<std::size_t> accepted;  // index into attempts
+  bool budget_ended = false;            // before the next attempt was judged
+  bool more_to_try = false;             // where kMostAttempts were made
 
   const ValidationAttempt& chosen() const { return attempts[accepted.value()]; }
   const ValidationAttempt& shown() const { return accepted ? chosen() : attempts.back(); }
@@ -119,29 +121,31 @@ struct Validated {
 // In the order of nextTurn. The first that keeps the threshold and is faster is taken (law 7), unless it is much slower than predicted: then
 // its model was wrong, and the next ones get their turn as long as more is predicted of them than was measured.
 Result<Validated> validateInOrder(const Subject& subject, const Workspace& workspace, const Measuring& measuring, const Training& training,
-                                  const FittedTraining& fitted, const Selection& selection, const TrainOptions& options, Progress& progress) {
+                                  const FittedTraining& fitted, const Selection& selection, const ValidationPlan& base, Progress& progress) {
   Validated validated;
   std::vector<Turn> turns;
   while (validated.attempts.size() < kMostAttempts) {
-    const std::optional<std::size_t> place = nextTurn({fitted.input.configurations, selection.ranking, options.max_error}, turns);
-    if (!place) break;
+    const std::optional<std::size_t> place = nextTurn({fitted.input.configurations, selection.ranking, base.limits.limit()}, turns);
+    if (!place) return validated;
     const TradeoffPoint& point = selection.ranking[*place];
     if (validated.accepted) {
       const ValidationAttempt& best = validated.chosen();
-      if (!worthAnother({best.point.predicted_speedup, best.run.binding.ratio}, point.predicted_speedup)) break;
+      if (!worthAnother({best.point.predicted_speedup, best.run.binding.ratio}, point.predicted_speedup)) return validated;
     }
     const ErrorStudy& study = training.errors[training.costs[fitted.cost_study[point.configuration]].error_study];
-    ValidationPlan plan;
+    ValidationPlan plan = base;
     plan.candidate = study.candidate;
     plan.options = study.options;
     plan.options.instrumented = false;
     plan.options.strategy = fitted.input.configurations[point.configuration].strategy;
     plan.options.period_frames = point.period_frames;
-    plan.metric = options.metric;
-    plan.max_error = options.max_error;
-    plan.cpu_clock = options.cpu_clock;
-    REPRISE_ASSIGN(ValidationRun run, validateChoice(subject, workspace, measuring, plan, progress));
-    validated.attempts.push_back({point.configuration, point, std::move(run)});
+    Result<ValidationRun> run = validateChoice(subject, workspace, measuring, plan, progress);
+    if (!run.ok() && run.error().code == kBudgetEnded) {
+      validated.budget_ended = true;
+      return validated;
+    }
+    if (!run.ok()) return run.error();
+    validated.attempts.push_back({point.configuration, point, std::move(*run)});
     const ValidationAttempt& last = validated.attempts.back();
     progress.say(fmt::format("  {}", last.run.judgement.reason));
     const std::optional<double> too_large = last.run.judgement.code == "judge.error" ? std::optional(last.run.worst_session_error) : std::nullopt;
@@ -150,6 +154,7 @@ Result<Validated> validateInOrder(const Subject& subject, const Workspace& works
         (!validated.accepted || last.run.binding.ratio > validated.chosen().run.binding.ratio))
       validated.accepted = validated.attempts.size() - 1;
   }
+  validated.more_to_try = true;
   return validated;
 }
 
@@ -178,7 +183,7 @@ Result<RunEvidence> gatherEvidence(const PictureSubject& in, const Selection& se
   if (session == in.subject.scenario.sessions.end()) return evidence;
   const std::vector<TradeoffPoint> points = pointsToShow(choice, selection, in.fitted, result.threshold.value);
   if (const Result<void> made = makePictures(in, points, session->name, evidence); !made.ok()) {
-    if (made.error().kind != ErrorKind::kMeasurement) return made.error();
+    if (made.error().kind != ErrorKind::kMeasurement && made.error().code != kBudgetEnded) return made.error();
     result.warnings.push_back("no pictures: " + made.error().message);
     return evidence;
   }
@@ -212,8 +217,18 @@ void describeOriginal(const Training& training, const Selection& selection, cons
     if (std::isfinite(run.original_ms)) result.original = {known(run.original_ms), known(run.original_wall_ms), known(run.prepass_ms)};
   }
   if (validated.accepted) return;
-  result.choice.kind = ChoiceKind::kOriginal;
-  result.choice.reason = explainOriginal(result, selection);
+  const Answer answer = answerWithoutVariant(result, {selection, training.budget_ended || validated.budget_ended, validated.more_to_try});
+  result.choice.kind = answer.kind;
+  result.choice.reason = answer.reason;
+}
+
+// What is undecided leaves no choice, not that of an earlier run either.
+Result<void> writeChoice(const Workspace& workspace, const Subject& subject, const ChosenVariant* chosen, const RunResult& result) {
+  const std::filesystem::path file = workspace.root() / "choice.json";
+  if (result.choice.kind != ChoiceKind::kUndecided) return writeFile(file, choiceToJson(describeChoice(subject, chosen, result)));
+  std::error_code gone;
+  std::filesystem::remove(file, gone);
+  return {};
 }
 
 // A model that comes alone gets a scenario of its own, in the workspace.
@@ -226,6 +241,13 @@ Result<Subject> subjectOf(const OptimizeArguments& arguments) {
 }
 
 }  // namespace
+
+ErrorLimits limitsOf(const RunResult& result) {
+  ErrorLimits limits;
+  for (const RunThreshold& threshold : result.thresholds) limits.thresholds.push_back({threshold.metric, threshold.value});
+  if (limits.thresholds.empty()) limits.thresholds.push_back({result.threshold.metric, result.threshold.value});
+  return limits;
+}
 
 Result<RunResult> optimize(const OptimizeArguments& arguments, Progress& progress) {
   REPRISE_TRY(checkArguments(arguments));
@@ -240,50 +262,61 @@ Result<RunResult> optimize(const OptimizeArguments& arguments, Progress& progres
   clock.end("compile");
 
   REPRISE_ASSIGN(const DeviceLock lock, lockDevice(device, arguments, progress));
+  clock.end("wait for the device");
+  const Budget budget(arguments.budget_s, progress);
   TrainOptions options;
-  options.waited_s = clock.end("wait for the device");
   REPRISE_ASSIGN(Bench bench, openBench(subject, workspace, benchOptions(arguments), device));
   bench.measuring.store = &bench.store;
-  options.metric = arguments.metric;
-  options.max_error = arguments.max_error;
-  options.budget_s = arguments.budget_s;
+  options.limits = arguments.demand.planning;
+  options.budget = &budget;
   options.cpu_clock = device.is_cpu;
   REPRISE_ASSIGN(const Training training, train(subject, workspace, bench.measuring, options, progress));  // 5 rewrite .. 7 train
   clock.end("train");
 
-  const FittedTraining fitted = fitTraining(subject, training, arguments.metric);              // 8 fit
+  const FittedTraining fitted = fitTraining(subject, training, options.limits);              // 8 fit
   Selection selection;                                                                          // 9 select
   if (fitted.input.original_frame_ms > 0) {
     SelectionOptions selecting;
-    selecting.threshold = arguments.max_error;
+    selecting.threshold = options.limits.limit();
+    selecting.least_speedup = arguments.least_gain;
     selecting.shorter_periods = true;
     result.threshold.margin = selecting.error_margin;
     REPRISE_ASSIGN(selection, select(fitted.input, selecting));
   }
   clock.end("fit and select");
 
-  REPRISE_ASSIGN(const Validated validated, validateInOrder(subject, workspace, bench.measuring, training, fitted, selection, options, progress));
+  bench.measuring.supervisor.expired = [&] { return budget.isSpent(kValidationShare); };
+  ValidationPlan judging;
+  judging.limits = arguments.demand.binding;
+  judging.least_gain = arguments.least_gain;
+  judging.cpu_clock = device.is_cpu;
+  REPRISE_ASSIGN(const Validated validated, validateInOrder(subject, workspace, bench.measuring, training, fitted, selection, judging, progress));
   clock.end("validate");                                                                        // 10 validate
 
-  result.candidates = describeCandidates(subject, training, fitted, selection, arguments.metric);
+  result.candidates = describeCandidates(subject, training, fitted, selection, options.limits);
   result.warnings = training.warnings;
   for (const std::string& warning : costWarnings(training)) result.warnings.push_back(warning);
   for (const ModelSpec& model : subject.scenario.models)
     for (const std::string& warning : model.scene->warnings) result.warnings.push_back("model '" + model.name + "': " + warning);
   result.not_reached = training.not_reached;
+  if (validated.budget_ended) result.not_reached.push_back(fmt::format("the validation of {}", validated.attempts.empty() ? "any variant" : "further variants"));
   for (const auto& [strategy, why] : training.strategies_refused) result.strategies_refused.push_back(strategy + ": " + why);
   for (const ValidationAttempt& attempt : validated.attempts) result.attempts.push_back(describeAttempt(fitted, attempt));
   if (validated.accepted) describeAccepted(subject, training, fitted, validated.chosen(), result);
-  if (!validated.attempts.empty()) result.validation = describeSessions(validated.shown().run, arguments.metric);
+  if (!validated.attempts.empty()) {
+    result.validation = describeSessions(validated.shown().run, arguments.demand.binding);
+    result.metrics = describeMetrics(validated.shown().run);
+  }
   describeOriginal(training, selection, validated, result);
   addWarnings(subject, selection, fitted, result);
   if (std::optional<std::string> suspect = suspectMotion(subject, training, result.choice.candidate_id))
     result.warnings.insert(result.warnings.begin(), std::move(*suspect));
+  bench.measuring.supervisor.expired = [&] { return budget.isSpent(kPicturesShare); };
   REPRISE_ASSIGN(const RunEvidence evidence, gatherEvidence({subject, workspace, bench.measuring, training, fitted}, selection, validated, result));
   const std::optional<ChosenVariant> chosen = chosenVariant(subject, training, fitted, validated);
   REPRISE_ASSIGN(const Package package, shippedPackage(subject, chosen ? &*chosen : nullptr));
   REPRISE_TRY(writePackage(package, workspace.packageDir()));                                   // 6 emit
-  REPRISE_TRY(writeFile(workspace.root() / "choice.json", choiceToJson(describeChoice(subject, chosen ? &*chosen : nullptr, result))));
+  REPRISE_TRY(writeChoice(workspace, subject, chosen ? &*chosen : nullptr, result));
   result.finished_at = utcNow();
   clock.end("emit and report");
   REPRISE_TRY(writeFile(workspace.root() / "result.json", resultToJson(result)));
@@ -297,8 +330,9 @@ Result<RunResult> validateAgain(const std::string& directory, const OptimizeArgu
   REPRISE_ASSIGN(const std::string text, readFile(root / "result.json"));
   REPRISE_ASSIGN(RunResult result, resultFromJson(text));
   REPRISE_ASSIGN(const Package package, readPackage(root / "package"));
-  if (result.choice.kind == ChoiceKind::kOriginal)
-    return Error{ErrorKind::kInput, "validate.original", "the choice of '" + directory + "' is the original; there is nothing to validate", {}};
+  if (result.choice.kind != ChoiceKind::kVariant)
+    return Error{ErrorKind::kInput, "validate.original",
+                 "the answer of '" + directory + "' is " + (result.choice.kind == ChoiceKind::kOriginal ? "the original" : "undecided") + "; there is nothing to validate", {}};
   REPRISE_ASSIGN(Subject subject, readSubject(root / "scenario" / "scenario.toml"));
   REPRISE_ASSIGN(const MeasuredDevice measured, openMeasuredDevice(arguments.device));
   const DeviceSummary& device = measured.summary;
@@ -307,7 +341,6 @@ Result<RunResult> validateAgain(const std::string& directory, const OptimizeArgu
   REPRISE_ASSIGN(const DeviceLock lock, lockDevice(device, arguments, progress));
   REPRISE_ASSIGN(Bench bench, openBench(subject, workspace, benchOptions(arguments), device));
   bench.measuring.store = &bench.store;
-  bench.measuring.metrics = {result.threshold.metric};
   ValidationPlan plan;
   const auto candidate = std::find_if(subject.candidates.begin(), subject.candidates.end(),
                                       [&](const Candidate& one) { return one.id == result.choice.candidate_id; });
@@ -323,8 +356,8 @@ Result<RunResult> validateAgain(const std::string& directory, const OptimizeArgu
   plan.options.encoding = recipe.encoding;
   plan.options.period_frames = recipe.period_frames;
   plan.packages = {(root / "package").string()};
-  plan.metric = result.threshold.metric;
-  plan.max_error = result.threshold.value;
+  plan.limits = limitsOf(result);
+  plan.least_gain = result.least_gain;
   plan.cpu_clock = device.is_cpu;
   REPRISE_ASSIGN(const ValidationRun run, validateChoice(subject, workspace, bench.measuring, plan, progress));
   result.device = describeDevice(measured, processorName());
@@ -333,7 +366,8 @@ Result<RunResult> validateAgain(const std::string& directory, const OptimizeArgu
   result.choice.measured_speedup = run.binding.ratio;
   result.choice.speedup_ci95 = RunInterval{run.binding.lo, run.binding.hi};
   result.choice.reason = run.judgement.reason;
-  result.validation = describeSessions(run, result.threshold.metric);
+  result.validation = describeSessions(run, plan.limits);
+  result.metrics = describeMetrics(run);
   if (!run.judgement.accepted) return Error{ErrorKind::kInput, run.judgement.code, run.judgement.reason, {}};
   return result;
 }
@@ -353,11 +387,10 @@ Result<CommittedCheck> validateCommitted(const CommittedArguments& committed, co
   REPRISE_ASSIGN(const DeviceLock lock, lockDevice(device, arguments, progress));
   REPRISE_ASSIGN(Bench bench, openBench(subject, workspace, benchOptions(arguments), device));
   bench.measuring.store = &bench.store;
-  bench.measuring.metrics = {choice.metric};
   ValidationPlan plan;
   plan.options = variant.options;
-  plan.metric = choice.metric;
-  plan.max_error = choice.max_error;
+  plan.limits = choice.limits;
+  plan.least_gain = choice.least_gain;
   plan.cpu_clock = device.is_cpu;
   REPRISE_ASSIGN(const ValidationRun run, validateChoice(subject, workspace, bench.measuring, plan, progress));
   return checkCommitted(choice, {run.judgement, run.worst_session_error, run.binding.ratio, device.name}, committed.cost_tolerance);

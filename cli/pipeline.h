@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/committed_check.h"
+#include "cli/demand.h"
 #include "cli/progress.h"
 #include "cli/report/result.h"
 #include "runtime/base/result.h"
@@ -13,9 +14,9 @@ namespace reprise {
 
 struct OptimizeArguments {
   std::string scenario;         // path of the TOML file
-  double max_error = 0.02;
-  std::string metric = "rms";
-  double budget_s = 0;          // of training; 0: none
+  Demand demand;                // what binds
+  double least_gain = kLeastGain;
+  double budget_s = 0;          // from when the device is held (budget.h); 0: none
   std::string output = "out";
   std::string device;
   std::string worker_path;      // this executable
@@ -25,6 +26,9 @@ struct OptimizeArguments {
 
 // Writes DIR/package, DIR/scenario, DIR/result.json and DIR/report.html; returns what result.json holds. Errors: of the stages.
 Result<RunResult> optimize(const OptimizeArguments& arguments, Progress& progress);
+
+// What bound a run; of one by an earlier version, its only threshold.
+ErrorLimits limitsOf(const RunResult& result);
 
 // Measures DIR's choice again on this device; the result is that of the run with choice, original and validation renewed. Does not
 // write. Errors: result.*, package.*, and of the stages.

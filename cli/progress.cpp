@@ -57,7 +57,10 @@ void Progress::update(int done, int total) {
 }
 
 void Progress::say(const std::string& line) {
-  if (style_ == ProgressStyle::kQuiet) return;
+  if (style_ != ProgressStyle::kQuiet) sayAlways(line);
+}
+
+void Progress::sayAlways(const std::string& line) {
   clearBar();
   const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
   putWrapped(std::string(indent, ' '), line.substr(indent));

@@ -22,6 +22,8 @@ class Progress {
   void update(int done, int total);
   // A line that stays, wrapped at 80 columns like all lines; what it begins with spaces goes on with as many.
   void say(const std::string& line);
+  // The same where the run is quiet, too: of what holds it up.
+  void sayAlways(const std::string& line);
   double elapsedSeconds() const;
 
  private:

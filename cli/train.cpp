@@ -33,9 +33,20 @@ class Trainer {
       : subject_(subject), workspace_(workspace), measuring_(measuring), options_(options), progress_(progress),
         sessions_(trainingSessions(subject.scenario)), periods_(studiedPeriods(subject.scenario)) {
     measuring_.progress = [this](const JobProgress& state) { progress_.update(state.done, state.total); };
+    measuring_.supervisor.expired = [this] { return isSpent(1); };
   }
 
   Result<Training> run() {
+    const Result<void> done = steps();
+    if (done.ok()) return std::move(training_);
+    if (done.error().code != kBudgetEnded) return done.error();
+    endBudget(step_);
+    return std::move(training_);
+  }
+
+ private:
+  Result<void> steps() {
+    step_ = "the ranges of the candidates were known";
     REPRISE_ASSIGN(ProbedRanges probed, probeCandidates(subject_, workspace_, measuring_, progress_));
     training_.ranges = std::move(probed.ranges);
     training_.changes = std::move(probed.changes);
@@ -47,17 +58,25 @@ class Trainer {
       REPRISE_ASSIGN(training_.strategies_refused, strategiesWithoutIdleObjects(subject_, workspace_, measuring_, {first.candidate, first.options.ranges}, progress_));
     }
     REPRISE_TRY(study(0, periods_, [this] { return worthTiming(); }));
-    REPRISE_TRY(refine());
-    return std::move(training_);
+    return refine();
   }
 
- private:
-  // Whether a share of the budget is.
-  bool isSpent(double share) const { return options_.budget_s > 0 && progress_.elapsedSeconds() - options_.waited_s >= share * options_.budget_s; }
+  // Whether a share of training's part of the budget is.
+  bool isSpent(double share) const {
+    const bool timed = std::any_of(training_.costs.begin(), training_.costs.end(), [](const CostStudy& costs) { return !costs.frames.empty(); });
+    return options_.budget != nullptr && options_.budget->isSpent(share * (timed ? kTrainingShare : kFirstTimesShare));
+  }
 
-  bool outOfBudget(const std::string& what) {
-    if (!isSpent(1)) return false;
+  void endBudget(const std::string& what) {
     training_.not_reached.push_back(what);
+    training_.budget_ended = true;
+  }
+
+  // Before a step; else remembers what is under way.
+  bool outOfBudget(const std::string& what) {
+    step_ = what;
+    if (!isSpent(1)) return false;
+    endBudget(what);
     return true;
   }
 
@@ -86,7 +105,7 @@ class Trainer {
     for (const std::string& session : sessions_) {
       REPRISE_TRY(measureErrorsOf(session, errors));
       if (!times && isSpent(kErrorShare) && !others.requests.empty()) {
-        training_.not_reached.push_back(fmt::format("errors of {} further variants", others.requests.size()));
+        endBudget(fmt::format("errors of {} further variants", others.requests.size()));
         others = {};
       }
       REPRISE_TRY(measureErrorsOf(session, others));
@@ -152,17 +171,17 @@ class Trainer {
 
   // The longest trained period whose predicted error stays under the threshold; 0 if even 2 does not.
   std::uint32_t longestPeriod(const ErrorStudy& study) const {
-    const ErrorFit fit = fitErrors(study, options_.metric);
+    const ErrorFit fit = fitErrors(study, options_.limits);
     if (!isUsable(fit.verdict)) return 0;
     std::uint32_t longest = 0;
     for (const std::uint32_t period : periods_)
-      if (period != kNeverRefresh && predictError(fit, period).value <= options_.max_error) longest = std::max(longest, period);
+      if (period != kNeverRefresh && predictError(fit, period).value <= options_.limits.limit()) longest = std::max(longest, period);
     return longest;
   }
 
   bool acceptsNever(const ErrorStudy& study) const {
-    const std::optional<double> never = neverError(study, options_.metric);
-    return never && *never <= options_.max_error;
+    const std::optional<double> never = neverError(study, options_.limits);
+    return never && *never <= options_.limits.limit();
   }
 
   bool isAcceptable(const ErrorStudy& study) const { return !study.rows.empty() && (longestPeriod(study) >= 2 || acceptsNever(study)); }
@@ -302,10 +321,10 @@ class Trainer {
   }
 
   Result<void> refine() {
-    const FittedTraining fitted = fitTraining(subject_, training_, options_.metric);
+    const FittedTraining fitted = fitTraining(subject_, training_, options_.limits);
     if (fitted.input.configurations.empty() || !(fitted.input.original_frame_ms > 0)) return {};
     SelectionOptions selecting;
-    selecting.threshold = options_.max_error;
+    selecting.threshold = options_.limits.limit();
     REPRISE_ASSIGN(const Selection selection, select(fitted.input, selecting));
     if (selection.ranking.empty()) return {};
     const TradeoffPoint& best = selection.ranking.front();
@@ -343,6 +362,7 @@ class Trainer {
   std::vector<std::string> sessions_;
   std::vector<std::uint32_t> periods_;
   std::map<std::string, std::vector<TimedFrame>> first_reference_;  // by session
+  std::string step_;  // what is lost if the budget ends now
   TrainingLaws laws_{subject_, workspace_, measuring_, progress_};
   Training training_;
 };

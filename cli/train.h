@@ -10,12 +10,13 @@
 //               prepass and the tail-only limit in the same run; then 2 and 3 for the next session
 //   4 refine    the fastest configuration so far with other filters, encodings and patterns: errors at its period, the shortest
 //               and the longest, then costs in its strategy, again session by session
-// The budget is looked at before each step of each session; what was not reached is said.
+// A job that the budget ends is lost; what was not reached is said.
 #pragma once
 
 #include <functional>
 #include <string>
 
+#include "cli/budget.h"
 #include "cli/progress.h"
 #include "cli/subject.h"
 #include "cli/trained.h"
@@ -25,10 +26,8 @@
 namespace reprise {
 
 struct TrainOptions {
-  std::string metric = "rms";
-  double max_error = 0.02;
-  double budget_s = 0;            // of the time since the run began; 0: none
-  double waited_s = 0;            // of that time, for another run that measured on the device: not of the budget
+  ErrorLimits limits;             // that errors are modelled for: cheap metrics
+  const Budget* budget = nullptr; // of which training has kTrainingShare; none: as long as it takes
   std::size_t timed_candidates = 3;
   int rounds = 20;
   bool cpu_clock = true;           // the binding clock: process CPU time, else time stamps

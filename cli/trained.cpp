@@ -22,16 +22,29 @@ std::optional<double> sessionError(const std::string& metric, const std::vector<
                                    std::uint32_t period_frames, PatternKind pattern) {
   const Metric* definition = findMetric(metric);
   REPRISE_CHECK(definition != nullptr, metric);
-  std::vector<double> values, weights;
+  std::vector<MetricFrame> frames;
   for (const std::vector<ErrorRow>* rows : sessions)
     for (const ErrorRow& row : *rows) {
       const auto value = row.errors.find(metric);
       if (!countsForError(row.frame, period_frames, pattern) || row.covered == 0 || value == row.errors.end() || !std::isfinite(value->second)) continue;
-      values.push_back(value->second);
-      weights.push_back(static_cast<double>(row.covered));
+      const auto tiles = row.tiles.find(metric);
+      frames.push_back({value->second, static_cast<double>(row.covered), tiles == row.tiles.end() ? nullptr : &tiles->second});
     }
-  if (values.empty()) return std::nullopt;
-  return combineFrames(*definition, values, weights);
+  if (frames.empty()) return std::nullopt;
+  return combineFrames(*definition, frames);
+}
+
+std::optional<double> sessionError(const ErrorLimits& limits, const std::vector<const std::vector<ErrorRow>*>& sessions,
+                                   std::uint32_t period_frames, PatternKind pattern) {
+  return limits.error([&](const std::string& metric) { return sessionError(metric, sessions, period_frames, pattern); });
+}
+
+std::optional<double> frameError(const ErrorLimits& limits, const ErrorRow& row) {
+  const std::optional<double> error = limits.error([&](const std::string& metric) {
+    const auto value = row.errors.find(metric);
+    return value == row.errors.end() ? std::nullopt : std::optional(value->second);
+  });
+  return error && std::isfinite(*error) ? error : std::nullopt;
 }
 
 bool countsForError(int frame, std::uint32_t period_frames, PatternKind pattern) {

@@ -10,6 +10,7 @@
 #include "fitting/selection/select.h"
 #include "profiler/measurements/row.h"
 #include "profiler/measurements/store.h"
+#include "profiler/metrics/error_limits.h"
 #include "profiler/scenario/scenario.h"
 
 namespace reprise {
@@ -48,14 +49,22 @@ struct Training {
   std::vector<std::string> warnings, not_reached;
   std::map<std::size_t, std::string> failed;        // candidate -> why
   std::map<std::size_t, FailureRow> convicted;      // candidate -> where its package differs from the original (cli/hold_laws.h)
+  bool budget_ended = false;                        // before all that was planned was measured
   std::map<std::string, std::string> strategies_refused;  // by this shader or state: strategy -> why
 };
 
-// Error of a session's rows by metric: combined over the covered pixels of all frames from 2 x period on (from frame 2 on for
-// "never"). rms: root of the weighted mean of squares; others: weighted mean. nullopt where no frame is left. Frames that the pattern
+// Error of a session's rows by metric: combined as the metric has it (metrics.h) over all frames from 2 x period on (from frame 2 on for
+// "never"). nullopt where no frame is left. Frames that the pattern
 // makes wholly due are computed as the original is and left out: of stereo pairs the right eyes count.
 std::optional<double> sessionError(const std::string& metric, const std::vector<const std::vector<ErrorRow>*>& sessions,
                                    std::uint32_t period_frames, PatternKind pattern = PatternKind::kInterleaved);
+
+// The same of several metrics with their thresholds, in the unit of the limits.
+std::optional<double> sessionError(const ErrorLimits& limits, const std::vector<const std::vector<ErrorRow>*>& sessions,
+                                   std::uint32_t period_frames, PatternKind pattern = PatternKind::kInterleaved);
+
+// Of a single frame; nullopt where it has no finite value.
+std::optional<double> frameError(const ErrorLimits& limits, const ErrorRow& row);
 
 // The frame's part in sessionError.
 bool countsForError(int frame, std::uint32_t period_frames, PatternKind pattern);

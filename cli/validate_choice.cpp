@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "cli/hold_laws.h"
+#include "profiler/metrics/metrics.h"
 
 namespace reprise {
 namespace {
@@ -90,15 +91,41 @@ Result<bool> measureValidationErrors(const Subject& subject, const Workspace& wo
   return true;
 }
 
-void summarizeErrors(const ValidationPlan& plan, ValidationRun& run) {
+// Over the sessions, in the unit of the limits. NaN where nothing was measured.
+MetricOutcome outcomeOf(const ErrorLimits& limits, const ValidationPlan& plan, const ValidationRun& run) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  const auto errorOf = [&](const std::vector<const std::vector<ErrorRow>*>& rows) {
+    return sessionError(limits, rows, plan.options.period_frames, plan.options.pattern);
+  };
+  MetricOutcome outcome;
   std::vector<const std::vector<ErrorRow>*> all;
-  const int settled = firstSettledFrame(plan.options.period_frames);
-  double hits = 0, covered = 0, fragments = 0, frames = 0;
-  run.worst_session_error = 0;
   for (const ValidatedSession& session : run.sessions) {
     all.push_back(&session.rows);
-    const auto error = sessionError(plan.metric, {&session.rows}, plan.options.period_frames, plan.options.pattern);
-    if (error) run.worst_session_error = std::max(run.worst_session_error, *error);
+    outcome.worst_session = std::max(outcome.worst_session, errorOf({&session.rows}).value_or(0));
+    for (const ErrorRow& row : session.rows)
+      if (countsForError(row.frame, plan.options.period_frames, plan.options.pattern))
+        outcome.worst_frame = std::max(outcome.worst_frame, frameError(limits, row).value_or(0));
+  }
+  outcome.all_sessions = errorOf(all).value_or(kUnknown);
+  if (!std::isfinite(outcome.all_sessions)) outcome.worst_session = outcome.worst_frame = kUnknown;
+  return outcome;
+}
+
+std::vector<JudgedError> judgedErrors(const ErrorLimits& limits, const ValidationRun& run) {
+  std::vector<JudgedError> judged;
+  for (const Threshold& threshold : limits.thresholds) {
+    JudgedError error{threshold.metric, std::numeric_limits<double>::quiet_NaN(), threshold.value};
+    for (const MetricOutcome& outcome : run.metrics)
+      if (outcome.metric == threshold.metric) error.measured = outcome.worst_session;
+    judged.push_back(error);
+  }
+  return judged;
+}
+
+void summarizeErrors(const ValidationPlan& plan, ValidationRun& run) {
+  const int settled = firstSettledFrame(plan.options.period_frames);
+  double hits = 0, covered = 0, fragments = 0, frames = 0;
+  for (const ValidatedSession& session : run.sessions) {
     for (const ErrorRow& row : session.rows) {
       run.spoiled += row.spoiled;
       if (row.frame < settled) continue;
@@ -106,12 +133,18 @@ void summarizeErrors(const ValidationPlan& plan, ValidationRun& run) {
       covered += static_cast<double>(row.covered);
       fragments += static_cast<double>(row.shaded_hits + row.shaded_misses);
       ++frames;
-      const auto value = row.errors.find(plan.metric);
-      if (value != row.errors.end() && std::isfinite(value->second)) run.worst_frame_error = std::max(run.worst_frame_error, value->second);
     }
   }
-  run.measured_error = sessionError(plan.metric, all, plan.options.period_frames, plan.options.pattern).value_or(std::numeric_limits<double>::quiet_NaN());
-  if (!std::isfinite(run.measured_error)) run.worst_session_error = run.measured_error;
+  const MetricOutcome binding = outcomeOf(plan.limits, plan, run);
+  run.measured_error = binding.all_sessions;
+  run.worst_session_error = binding.worst_session;
+  run.worst_frame_error = binding.worst_frame;
+  for (const Metric& metric : metrics()) {
+    MetricOutcome outcome = outcomeOf({{{metric.name, 1}}}, plan, run);
+    if (!std::isfinite(outcome.all_sessions)) continue;
+    outcome.metric = metric.name;
+    run.metrics.push_back(std::move(outcome));
+  }
   run.hit_rate = covered > 0 ? hits / covered : 0;
   run.fragments_per_frame = frames > 0 ? fragments / frames : 0;
 }
@@ -149,6 +182,8 @@ Result<void> measureValidationTimes(const Subject& subject, const Workspace& wor
 Result<ValidationRun> validateChoice(const Subject& subject, const Workspace& workspace, const Measuring& measuring_given,
                                      const ValidationPlan& plan, Progress& progress) {
   Measuring measuring = measuring_given;
+  measuring.metrics.clear();  // finalists are judged by all, the costly ones too
+  for (const Metric& metric : metrics()) measuring.metrics.push_back(metric.name);
   measuring.progress = [&](const JobProgress& state) { progress.update(state.done, state.total); };
   ValidationRun run;
   for (const SessionSpec& session : subject.scenario.sessions)
@@ -159,9 +194,15 @@ Result<ValidationRun> validateChoice(const Subject& subject, const Workspace& wo
   REPRISE_ASSIGN(const bool played, measureValidationErrors(subject, workspace, measuring, plan, run));
   if (!played) return run;
   summarizeErrors(plan, run);
+  // What the thresholds rule out need not be timed.
+  if (run.judgement = judgeErrors({judgedErrors(plan.limits, run), run.spoiled, {}, {}, ""}); !run.judgement.code.empty()) {
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    run.binding.ratio = run.wall.ratio = run.original_ms = run.original_wall_ms = run.prepass_ms = run.limit_ms = kUnknown;
+    return run;
+  }
   REPRISE_TRY(measureValidationTimes(subject, workspace, measuring, plan, run));
-  // The threshold holds for every session, not only for all of them together.
-  run.judgement = judge({run.worst_session_error, run.spoiled, run.binding, run.wall, plan.cpu_clock ? "process CPU time" : "time stamps"}, plan.max_error);
+  // The thresholds hold for every session, not only for all of them together.
+  run.judgement = judge({judgedErrors(plan.limits, run), run.spoiled, run.binding, run.wall, plan.cpu_clock ? "process CPU time" : "time stamps"}, plan.least_gain);
   return run;
 }
 

@@ -18,8 +18,8 @@ struct ValidationPlan {
   std::size_t candidate = 0;
   VariantOptions options;      // with the period to validate
   std::vector<std::string> packages = {};  // of this variant on disk, such as the one that ships: held to the original, too
-  std::string metric = "rms";
-  double max_error = 0.02;
+  ErrorLimits limits;
+  double least_gain = kLeastGain;
   int rounds = 30;             // per session
   bool cpu_clock = true;
 };
@@ -30,11 +30,18 @@ struct ValidatedSession {
   std::vector<TimedFrame> variant, reference;  // by round
 };
 
+// One metric over the validation.
+struct MetricOutcome {
+  std::string metric;
+  double all_sessions = 0, worst_session = 0, worst_frame = 0;
+};
+
 struct ValidationRun {
   std::vector<ValidatedSession> sessions;
-  double measured_error = 0;        // all sessions together
-  double worst_session_error = 0;   // what the threshold is held against
+  double measured_error = 0;        // in the unit of the limits, as the next two; all sessions together
+  double worst_session_error = 0;   // what the limits are held against
   double worst_frame_error = 0;
+  std::vector<MetricOutcome> metrics;  // all of the registry
   double hit_rate = 0;              // of covered pixels, settled frames
   PairedRatio binding, wall;        // against the faster of the original and the original with a prepass
   std::string reference;            // which that was: "original" or "original_prepass"

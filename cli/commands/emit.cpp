@@ -65,7 +65,7 @@ Result<void> verify(Subject subject, const Choice& choice, const Package& packag
   REPRISE_ASSIGN(const Workspace workspace, Workspace::open(folder.path()));
   REPRISE_TRY(copyInputs(subject, workspace.scenarioFile()));
   REPRISE_TRY(writePackageFiles(package, workspace.packageDir()));
-  REPRISE_ASSIGN(Bench bench, openBench(subject, workspace, {arguments.device, arguments.worker_path, choice.metric, arguments.interrupted}, device));
+  REPRISE_ASSIGN(Bench bench, openBench(subject, workspace, {arguments.device, arguments.worker_path, choice.limits.metrics(), arguments.interrupted}, device));
   bench.measuring.store = &bench.store;
   Progress progress(ProgressStyle::kQuiet);
   REPRISE_ASSIGN(const std::vector<LawVerdict> verdicts,

@@ -13,7 +13,7 @@ _reprise() {
   esac
   case "$command" in
     "") COMPREPLY=($(compgen -W "$commands $common" -- "$word")); return ;;
-    optimize) options="--max-error --metric --budget --output -o" ;;
+    optimize) options="--quality --max --max-error --metric --min-gain --budget --output -o" ;;
     emit) options="--choice --output -o --header --name --on-stale --verify -M -MD -MF -MT" ;;
     validate) options="--choice --cost-tolerance --output -o" ;;
     analyze) options="--json --all --annotate -I -D --std --entry-point -MD -MF" ;;

@@ -29,11 +29,8 @@ std::string variantSentence(const RunResult& result) {
   } else {
     text += " was chosen";
   }
-  if (choice.measured_error) {
-    text +=
-        " with a validation error of " + formatNumber(*choice.measured_error) + " " + result.threshold.metric;
-  }
-  return text + "; " + formatGiven(result.threshold.value) + " " + result.threshold.metric + " was allowed.";
+  if (choice.measured_error) text += " with a validation error of " + errorText(result, *choice.measured_error);
+  return text + "; allowed was " + thresholdsText(result) + ".";
 }
 
 }  // namespace
@@ -43,6 +40,7 @@ std::string choiceSentence(const RunResult& result) {
   std::string reason =
       result.choice.reason.empty() ? "no variant qualified" : printable(result.choice.reason);
   if (reason.back() == '.') reason.pop_back();
+  if (result.choice.kind == ChoiceKind::kUndecided) return "Undecided, not enough was measured: " + reason + ".";
   return "The original shader is the best answer: " + reason + ".";
 }
 

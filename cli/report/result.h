@@ -65,6 +65,13 @@ struct RunThreshold {
   bool operator==(const RunThreshold&) const = default;
 };
 
+// One metric over the validation of the variant that is shown.
+struct RunMetric {
+  std::string metric;
+  double all_sessions = 0, worst_session = 0, worst_frame = 0;  // thresholds are held against the worst session
+  bool operator==(const RunMetric&) const = default;
+};
+
 struct RunInterval {
   double lo = 0, hi = 0;
   bool operator==(const RunInterval&) const = default;
@@ -76,12 +83,13 @@ struct RunPayloadValue {
   bool operator==(const RunPayloadValue&) const = default;
 };
 
-enum class ChoiceKind { kVariant, kOriginal };
+enum class ChoiceKind { kVariant, kOriginal, kUndecided };
 
-// kOriginal: `reason` says why no variant was taken; payload is empty and what belongs to a variant is unset.
+// kOriginal: measured, and no variant keeps the thresholds and is faster by the least gain; `reason` says why. kUndecided: not enough was
+// measured to say so; `reason` says what is missing and how to go on. In both payload is empty and what belongs to a variant is unset.
 struct RunChoice {
   ChoiceKind kind = ChoiceKind::kOriginal;
-  std::string reason;        // one sentence, for both kinds
+  std::string reason;        // one sentence, for all kinds
   std::string candidate_id;  // of RunCandidate; empty for the original
   std::vector<RunPayloadValue> payload;
   std::string strategy, pattern, filter, encoding;
@@ -234,7 +242,10 @@ struct RunResult {
   std::string clock = "timestamps";  // the binding clock: "process_cpu" or "timestamps"
   RunShader shader;
   RunScenario scenario;
-  RunThreshold threshold;
+  std::string quality;                   // the level that binds; empty where none does
+  std::vector<RunThreshold> thresholds;  // all that bind together
+  double least_gain = 1;                 // a speed-up must exceed it
+  RunThreshold threshold;                // the only one; of several {"share", 1}: the largest share of its threshold that any metric takes
   RunChoice choice;
   RunOriginal original;
   RunLimit limit;
@@ -242,6 +253,7 @@ struct RunResult {
   std::vector<RunVariant> front;  // predicted Pareto front of error and time, by ascending error
   std::vector<RunAttempt> attempts;
   std::vector<RunSession> validation;
+  std::vector<RunMetric> metrics;        // of the choice, or of the last attempt
   std::vector<std::string> warnings;
   std::vector<std::string> not_reached;  // what the budget left out, in words
   std::vector<std::string> strategies_refused;  // "repair: the shader takes derivatives ..."
@@ -259,7 +271,7 @@ std::string resultToJson(const RunResult& result);
 // key or a value of the wrong type, named by its path: "choice.strategy"). Unknown keys are passed over.
 Result<RunResult> resultFromJson(const std::string& text);
 
-// Spellings of files and reports: "variant", "original"; "trained", "pruned", "not_reached", "failed",
+// Spellings of files and reports: "variant", "original", "undecided"; "trained", "pruned", "not_reached", "failed",
 // "refused".
 const char* nameOf(ChoiceKind kind);
 const char* nameOf(CandidateStatus status);

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array kChoiceNames = {"variant", "original"};
+constexpr std::array kChoiceNames = {"variant", "original", "undecided"};
 constexpr std::array kStatusNames = {"trained", "pruned", "not_reached", "failed", "refused"};
 
 // Each struct lists its keys once, in fields(); Writer and Reader go through the same list, so that the two
@@ -40,6 +40,10 @@ void fields(A& a, RunScenario& s) {
 template <class A>
 void fields(A& a, RunThreshold& t) {
   a("metric", t.metric), a("value", t.value), a.later("margin", t.margin);
+}
+template <class A>
+void fields(A& a, RunMetric& m) {
+  a("metric", m.metric), a("all_sessions", m.all_sessions), a("worst_session", m.worst_session), a("worst_frame", m.worst_frame);
 }
 template <class A>
 void fields(A& a, RunPayloadValue& v) {
@@ -144,8 +148,10 @@ template <class A>
 void fields(A& a, RunResult& r) {
   a("tool_version", r.tool_version), a.textOrNull("finished_at", r.finished_at);
   a("device", r.device), a("clock", r.clock), a("shader", r.shader), a("scenario", r.scenario);
+  a.later("quality", r.quality), a.later("thresholds", r.thresholds), a.later("least_gain", r.least_gain);
   a("threshold", r.threshold), a("choice", r.choice), a("original", r.original), a("limit", r.limit);
   a("candidates", r.candidates), a.later("front", r.front), a("attempts", r.attempts), a("validation", r.validation);
+  a.later("metrics", r.metrics);
   a("warnings", r.warnings), a("not_reached", r.not_reached), a.later("strategies_refused", r.strategies_refused), a.stages("seconds", r.seconds);
   a("images", r.images), a("command", r.command);
 }

@@ -65,6 +65,30 @@ Best bestUnderThreshold(const RunCandidate& candidate, double threshold) {
   return best;
 }
 
+// Each threshold with what the worst session took of it.
+std::string errorFact(const RunResult& result) {
+  const RunChoice& choice = result.choice;
+  std::string text;
+  for (const RunThreshold& threshold : result.thresholds)
+    for (const RunMetric& metric : result.metrics)
+      if (metric.metric == threshold.metric)
+        text += (text.empty() ? "" : ", ") + threshold.metric + " " + formatNumber(metric.worst_session) + " of " + formatGiven(threshold.value) + " allowed";
+  if (text.empty()) text = number(choice.measured_error) + " " + result.threshold.metric + " of " + formatGiven(result.threshold.value) + " allowed";
+  const auto inUnit = [&](const std::optional<double>& error) { return error ? errorText(result, *error) : "n/a"; };
+  return text + "; predicted " + inUnit(choice.predicted_error) + ", worst frame " + inUnit(choice.worst_frame_error);
+}
+
+void metricTable(std::string& out, const RunResult& result) {
+  if (result.metrics.empty()) return;
+  out += "\nAll metrics in validation" + std::string(result.choice.kind == ChoiceKind::kVariant ? "" : ", of the last variant") + "\n";
+  const auto row = [&](const std::string& name, const std::string& all, const std::string& session, const std::string& frame) {
+    out += "  " + padded(name, 14) + " " + padded(all, 12) + " " + padded(session, 14) + " " + frame + "\n";
+  };
+  row("metric", "all sessions", "worst session", "worst frame");
+  for (const RunMetric& metric : result.metrics)
+    row(metric.metric, formatNumber(metric.all_sessions), formatNumber(metric.worst_session), formatNumber(metric.worst_frame));
+}
+
 void choiceFacts(std::string& out, const RunResult& result) {
   const RunChoice& choice = result.choice;
   for (const RunPayloadValue& value : choice.payload) {
@@ -79,10 +103,7 @@ void choiceFacts(std::string& out, const RunResult& result) {
          number(choice.measured_speedup) + interval(choice.speedup_ci95) + ", predicted " +
              number(choice.predicted_speedup) + "; by wall time " + number(choice.wall_speedup) +
              interval(choice.wall_speedup_ci95));
-    fact(out, "error",
-         number(choice.measured_error) + " " + result.threshold.metric + " of " +
-             formatGiven(result.threshold.value) + " allowed, predicted " + number(choice.predicted_error) +
-             "; worst frame " + number(choice.worst_frame_error));
+    fact(out, "error", errorFact(result));
     fact(out, "frame time",
          number(choice.measured_frame_ms, " ms") + ", predicted " + number(choice.predicted_frame_ms, " ms") +
              "; p95 " + number(choice.p95_ms, " ms") + ", worst " + number(choice.worst_ms, " ms"));
@@ -187,6 +208,7 @@ std::string summaryText(const RunResult& result) {
   choiceFacts(out, result);
   out += "\n";
   machineFacts(out, result);
+  metricTable(out, result);
   candidateTable(out, result);
   list<RunAttempt>(out, "Taken to validation, in this order", result.attempts, attemptText);
   const auto asIs = [](const std::string& text) { return text; };
@@ -215,6 +237,7 @@ std::string summaryMarkdown(const RunResult& result) {
   row("error, " + cell(result.threshold.metric),
       {"0", number(choice.measured_error) + " of " + formatGiven(result.threshold.value),
        number(choice.predicted_error), ""});
+  for (const RunMetric& metric : result.metrics) row(cell(metric.metric), {"0", formatNumber(metric.worst_session), "", ""});
   row("hit rate", {"", number(choice.hit_rate), "", ""});
   row("cache, bytes per pixel", {"0", number(choice.cache_bytes_per_pixel), "", ""});
   out += "\n" + cell(result.device.name) + ", " + cell(result.device.driver);

@@ -34,6 +34,10 @@ std::string formatPrecise(double value);
 std::string formatNumber(double value);
 // A number that the user gave, with the digits that it has: "0.02".
 std::string formatGiven(double value);
+// An error in the run's unit: "0.0134 rms", or "83% of what is allowed" where several thresholds bind.
+std::string errorText(const RunResult& result, double error);
+// What binds: "rms 0.02", "quality good (tile_flip 0.05, blocks 0.01)".
+std::string thresholdsText(const RunResult& result);
 // "16", or "never" for kNeverRefresh.
 std::string formatPeriod(std::uint32_t period_frames);
 // The text with every control character (C0, C1, DEL) and every byte that is not UTF-8 replaced by '?', and

@@ -62,6 +62,19 @@ std::string formatPrecise(double value) {
   return text;
 }
 
+std::string errorText(const RunResult& result, double error) {
+  if (result.threshold.metric != "share") return formatNumber(error) + " " + result.threshold.metric;
+  return formatNumber(100 * error) + "% of what is allowed";
+}
+
+std::string thresholdsText(const RunResult& result) {
+  std::string list;
+  for (const RunThreshold& threshold : result.thresholds)
+    list += (list.empty() ? "" : ", ") + threshold.metric + " " + formatGiven(threshold.value);
+  if (result.thresholds.empty()) list = result.threshold.metric + " " + formatGiven(result.threshold.value);
+  return result.quality.empty() ? list : "quality " + result.quality + " (" + list + ")";
+}
+
 std::string formatPeriod(std::uint32_t period_frames) {
   return period_frames == kNeverRefresh ? "never" : std::to_string(period_frames);
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace reprise {
 
@@ -28,6 +29,7 @@ struct ErrorRow {
   std::uint64_t nonfinite = 0;                                  // pixels whose original or cached colour is NaN or infinite
   std::uint64_t spoiled = 0;                                    // of these, where the original's is finite
   std::map<std::string, double> errors;                         // by metric name
+  std::map<std::string, std::vector<std::uint16_t>> tiles = {}; // of metrics of tiles, by name: each tile's value in units of 1/65535
   bool operator==(const ErrorRow&) const = default;
 };
 

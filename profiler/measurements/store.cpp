@@ -1,6 +1,7 @@
 #include "profiler/measurements/store.h"
 
 #include <algorithm>
+#include <charconv>
 #include <system_error>
 
 #include "profiler/measurements/database.h"
@@ -53,12 +54,35 @@ Result<bool> hasErrors(const Database& database, std::int64_t series) {
   return find.step();
 }
 
+// Numbers between blanks; one blank where there are none, as an empty text stands for a metric without tiles.
+std::string textOfTiles(const std::vector<std::uint16_t>& tiles) {
+  std::string text = " ";
+  for (const std::uint16_t tile : tiles) text += std::to_string(tile) + " ";
+  return text;
+}
+
+Result<std::optional<std::vector<std::uint16_t>>> tilesFrom(const Database& database, const std::string& text) {
+  if (text.empty()) return std::optional<std::vector<std::uint16_t>>();
+  std::vector<std::uint16_t> tiles;
+  const char* at = text.data() + 1;
+  const char* const end = text.data() + text.size();
+  while (at < end) {
+    std::uint16_t tile = 0;
+    const auto [next, failure] = std::from_chars(at, end, tile);
+    if (failure != std::errc() || next == end || *next != ' ')
+      return Error{ErrorKind::kMachine, "store.corrupt", "the store " + database.path().string() + " holds tiles that are no numbers; move it away to measure anew", {}};
+    tiles.push_back(tile);
+    at = next + 1;
+  }
+  return std::optional(std::move(tiles));
+}
+
 Result<void> insertErrorRows(Database* database, std::int64_t series, const std::vector<ErrorRow>& rows) {
   REPRISE_ASSIGN(Statement mark, database->prepare("INSERT INTO error_series VALUES (?)"));
   mark.bind(0, series);
   REPRISE_TRY(runOnce(&mark));
   REPRISE_ASSIGN(Statement add_row, database->prepare("INSERT INTO error_rows VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"));
-  REPRISE_ASSIGN(Statement add_value, database->prepare("INSERT INTO error_values VALUES (?, ?, ?, ?)"));
+  REPRISE_ASSIGN(Statement add_value, database->prepare("INSERT INTO error_values VALUES (?, ?, ?, ?, ?)"));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const ErrorRow& row = rows[i];
     const auto index = static_cast<std::int64_t>(i);
@@ -75,6 +99,8 @@ Result<void> insertErrorRows(Database* database, std::int64_t series, const std:
       add_value.bind(1, index);
       add_value.bind(2, std::string_view(metric));
       add_value.bind(3, value);
+      const auto tiles = row.tiles.find(metric);
+      add_value.bind(4, std::string_view(tiles == row.tiles.end() ? "" : textOfTiles(tiles->second)));
       REPRISE_TRY(runOnce(&add_value));
     }
   }
@@ -92,7 +118,7 @@ Result<std::vector<ErrorRow>> readErrorRows(const Database& database, std::int64
     const auto count = [&](int column) { return static_cast<std::uint64_t>(read.number(column)); };
     rows.push_back({static_cast<int>(read.number(0)), count(1), count(2), count(3), count(4), count(5), count(6), count(7), {}});
   }
-  REPRISE_ASSIGN(Statement values, database.prepare("SELECT row, metric, value FROM error_values WHERE series = ?"));
+  REPRISE_ASSIGN(Statement values, database.prepare("SELECT row, metric, value, tiles FROM error_values WHERE series = ?"));
   values.bind(0, series);
   while (true) {
     REPRISE_ASSIGN(const bool has_row, values.step());
@@ -103,6 +129,8 @@ Result<std::vector<ErrorRow>> readErrorRows(const Database& database, std::int64
                    "the store " + database.path().string() + " holds an error value without its row", {}};
     }
     rows[row].errors[values.text(1)] = values.real(2);
+    REPRISE_ASSIGN(auto tiles, tilesFrom(database, values.text(3)));
+    if (tiles) rows[row].tiles[values.text(1)] = std::move(*tiles);
   }
   return rows;
 }

@@ -21,7 +21,7 @@ CREATE TABLE error_rows (
   spoiled INTEGER NOT NULL,
   PRIMARY KEY (series, row)) WITHOUT ROWID;
 CREATE TABLE error_values (
-  series INTEGER NOT NULL REFERENCES series, row INTEGER NOT NULL, metric TEXT NOT NULL, value REAL,
+  series INTEGER NOT NULL REFERENCES series, row INTEGER NOT NULL, metric TEXT NOT NULL, value REAL, tiles TEXT,
   PRIMARY KEY (series, row, metric)) WITHOUT ROWID;
 CREATE TABLE time_series (
   series INTEGER NOT NULL REFERENCES series, run_id TEXT NOT NULL, PRIMARY KEY (series, run_id)) WITHOUT ROWID;

@@ -7,7 +7,7 @@
 namespace reprise {
 
 // PRAGMA user_version. Grows when an older Reprise would misread the file; there is no older version to upgrade from yet.
-inline constexpr int kStoreVersion = 2;
+inline constexpr int kStoreVersion = 3;
 // PRAGMA application_id: "Rprs".
 inline constexpr int kStoreApplicationId = 0x52707273;
 

@@ -30,8 +30,10 @@ double evaluate(const MetricInputs& inputs) {
 }  // namespace
 
 Metric flickerMetric() {
-  return {"flicker", "root of the mean squared frame-to-frame change of the difference over covered pixels and channels",
-          SessionCombination::kMean, false, evaluate};
+  return {.name = "flicker",
+          .description = "root of the mean squared frame-to-frame change of the difference over covered pixels and channels",
+          .combination = SessionCombination::kMean,
+          .evaluate = evaluate};
 }
 
 }  // namespace reprise

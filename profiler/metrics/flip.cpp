@@ -4,12 +4,16 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <numbers>
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "profiler/metrics/covered_pixels.h"
 #include "profiler/metrics/flip_color.h"
 #include "profiler/metrics/separable_filter.h"
+#include "profiler/metrics/tiles.h"
 
 namespace reprise {
 
@@ -63,16 +67,24 @@ bool isFinite(const float* rgb) {
 
 using OpponentImage = std::array<Plane, 3>;
 
-// Of the image where the mask covers and of the surroundings elsewhere.
-OpponentImage opponentImage(const DisplayImage& image, const DisplayImage& surroundings, const CoverageMask& mask) {
-  const std::size_t pixels = mask.kind.size();
+constexpr std::array<float, 3> kExposures = {1, 2, 4};
+
+Color exposed(const float* rgb, float exposure) {
+  Color color{rgb[0], rgb[1], rgb[2]};
+  if (exposure == 1) return color;
+  for (float& channel : color) channel = srgbFromLinear(std::min(1.0f, exposure * linearFromSrgb(channel)));
+  return color;
+}
+
+// Of the image where the mask covers, or everywhere without one, and of the surroundings elsewhere.
+OpponentImage opponentImage(const DisplayImage& image, const DisplayImage& surroundings, const CoverageMask* mask, float exposure) {
+  const std::size_t pixels = image.rgb.size() / 3;
   OpponentImage planes;
   for (Plane& plane : planes) plane = {image.width, image.height, std::vector<float>(pixels)};
   for (std::size_t i = 0; i < pixels; ++i) {
-    const float* rgb = (mask.kind[i] ? image : surroundings).rgb.data() + 3 * i;
-    Color color = ycxczFromSrgb({rgb[0], rgb[1], rgb[2]});
-    // One that is not finite would spread to covered pixels.
-    if (!mask.kind[i] && !isFinite(rgb)) color = ycxczFromSrgb({0, 0, 0});
+    const float* rgb = (mask == nullptr || mask->kind[i] ? image : surroundings).rgb.data() + 3 * i;
+    // One that is not finite would spread to others.
+    const Color color = ycxczFromSrgb(isFinite(rgb) ? exposed(rgb, exposure) : Color{0, 0, 0});
     for (int channel = 0; channel < 3; ++channel) planes[channel].values[i] = color[channel];
   }
   return planes;
@@ -177,27 +189,100 @@ float differenceAt(const PerceivedImage& first, const PerceivedImage& second, st
   return std::pow(color, 1 - feature);
 }
 
+bool allFinite(const MetricInputs& inputs) {
+  bool finite = true;
+  visitCovered(*inputs.mask, [&](std::size_t i) {
+    finite = finite && isFinite(inputs.original->rgb.data() + 3 * i) && isFinite(inputs.cached->rgb.data() + 3 * i);
+  });
+  return finite;
+}
+
+}  // namespace
+
+struct FlipOriginal::Halves {
+  const DisplayImage* original = nullptr;
+  std::array<std::once_flag, kExposures.size()> made;
+  std::array<PerceivedImage, kExposures.size()> perceived;
+
+  const PerceivedImage& at(std::size_t exposure) {
+    std::call_once(made[exposure], [&] { perceived[exposure] = perceive(opponentImage(*original, *original, nullptr, kExposures[exposure])); });
+    return perceived[exposure];
+  }
+};
+
+FlipOriginal::FlipOriginal(const DisplayImage& original) : halves_(std::make_unique<Halves>()) { halves_->original = &original; }
+FlipOriginal::~FlipOriginal() = default;
+
+namespace {
+
+// FLIP of an image pair, at each exposure when it is first needed.
+class FlipPair {
+ public:
+  explicit FlipPair(const MetricInputs& inputs) : inputs_(inputs) {
+    if (inputs.flip_original == nullptr) own_.emplace(*inputs.original);
+    halves_ = &(own_ ? *own_ : *inputs.flip_original).halves();
+  }
+
+  float differenceAt(std::size_t exposure, std::size_t pixel) {
+    std::optional<PerceivedImage>& cached = cached_[exposure];
+    if (!cached) cached = perceive(opponentImage(*inputs_.cached, *inputs_.original, inputs_.mask, kExposures[exposure]));
+    return reprise::differenceAt(halves_->at(exposure), *cached, pixel);
+  }
+
+ private:
+  const MetricInputs& inputs_;
+  std::optional<FlipOriginal> own_;
+  FlipOriginal::Halves* halves_ = nullptr;
+  std::array<std::optional<PerceivedImage>, kExposures.size()> cached_;
+};
+
 double evaluate(const MetricInputs& inputs) {
   checkInputs(inputs);
-  const CoverageMask& mask = *inputs.mask;
-  if (mask.kind.empty()) return 0;
-  const PerceivedImage original = perceive(opponentImage(*inputs.original, *inputs.original, mask));
-  const PerceivedImage cached = perceive(opponentImage(*inputs.cached, *inputs.original, mask));
+  if (inputs.mask->kind.empty()) return 0;
+  if (!allFinite(inputs)) return std::numeric_limits<double>::quiet_NaN();
+  FlipPair pair(inputs);
   double sum = 0;
-  bool finite = true;
-  const std::size_t covered = visitCovered(mask, [&](std::size_t i) {
-    finite = finite && isFinite(inputs.original->rgb.data() + 3 * i) && isFinite(inputs.cached->rgb.data() + 3 * i);
-    sum += differenceAt(original, cached, i);
-  });
-  if (!finite) return std::numeric_limits<double>::quiet_NaN();
+  const std::size_t covered = visitCovered(*inputs.mask, [&](std::size_t i) { sum += pair.differenceAt(0, i); });
   return covered ? sum / static_cast<double>(covered) : 0;
+}
+
+// The exposure nearest to the gain, by ratio.
+std::size_t exposureOf(const Tile& tile) { return static_cast<std::size_t>(std::clamp(std::lround(std::log2(tile.gain)), 0L, 2L)); }
+
+std::vector<float> tilesOfFlip(const MetricInputs& inputs) {
+  checkInputs(inputs);
+  if (!allFinite(inputs)) return {std::numeric_limits<float>::quiet_NaN()};
+  FlipPair pair(inputs);
+  std::vector<float> values;
+  for (const Tile& tile : tilesOf(*inputs.original, *inputs.mask)) {
+    float largest = 0;
+    for (const std::size_t exposure : std::set<std::size_t>{0, exposureOf(tile)}) {
+      float sum = 0;
+      visitTile(tile, *inputs.mask, [&](std::size_t pixel) { sum += pair.differenceAt(exposure, pixel); });
+      largest = std::max(largest, sum / static_cast<float>(tile.covered));
+    }
+    values.push_back(largest);
+  }
+  return values;
 }
 
 }  // namespace
 
 Metric flipMetric() {
-  return {"flip", "LDR-FLIP at 67 pixels per degree, mean over covered pixels", SessionCombination::kMean, true,
-          evaluate};
+  return {.name = "flip",
+          .description = "LDR-FLIP at 67 pixels per degree, mean over covered pixels",
+          .combination = SessionCombination::kMean,
+          .expensive = true,
+          .evaluate = evaluate};
+}
+
+Metric tileFlipMetric() {
+  return {.name = "tile_flip",
+          .description = "LDR-FLIP at 67 pixels per degree, mean over a tile of 64x64 pixels, dark ones also at the exposure that brings them to mid-grey; 99th percentile over tiles",
+          .combination = SessionCombination::kTail,
+          .expensive = true,
+          .adapts = true,
+          .tiles = tilesOfFlip};
 }
 
 }  // namespace reprise

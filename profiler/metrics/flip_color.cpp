@@ -48,10 +48,6 @@ Matrix3 invert(const double (&a)[3][3]) {
   return inverse;
 }
 
-float linearFromSrgb(float value) {
-  return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
-}
-
 float labCurve(float value) {
   constexpr float kDelta = 6.0f / 29.0f;
   if (value > kDelta * kDelta * kDelta) return std::cbrt(value);
@@ -59,6 +55,14 @@ float labCurve(float value) {
 }
 
 }  // namespace
+
+float linearFromSrgb(float value) {
+  return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
+}
+
+float srgbFromLinear(float value) {
+  return value <= 0.0031308f ? value * 12.92f : 1.055f * std::pow(value, 1 / 2.4f) - 0.055f;
+}
 
 Color ycxczFromSrgb(const Color& srgb) {
   const Color xyz =

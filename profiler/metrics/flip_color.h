@@ -7,6 +7,10 @@ namespace reprise {
 
 using Color = std::array<float, 3>;
 
+// The curve of sRGB (IEC 61966-2-1), on [0, 1].
+float linearFromSrgb(float value);
+float srgbFromLinear(float value);
+
 // Opponent space: Y luminance, Cx red-green, Cz blue-yellow.
 Color ycxczFromSrgb(const Color& srgb);
 // Linear RGB, cut to [0, 1].

@@ -24,8 +24,10 @@ double evaluate(const MetricInputs& inputs) {
 }  // namespace
 
 Metric meanDifferenceMetric() {
-  return {"mean", "mean absolute difference over covered pixels and channels", SessionCombination::kMean, false,
-          evaluate};
+  return {.name = "mean",
+          .description = "mean absolute difference over covered pixels and channels",
+          .combination = SessionCombination::kMean,
+          .evaluate = evaluate};
 }
 
 }  // namespace reprise

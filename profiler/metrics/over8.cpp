@@ -35,8 +35,10 @@ double evaluate(const MetricInputs& inputs) {
 }  // namespace
 
 Metric over8Metric() {
-  return {"over8", "share of covered pixels whose largest channel difference exceeds 8/255", SessionCombination::kMean,
-          false, evaluate};
+  return {.name = "over8",
+          .description = "share of covered pixels whose largest channel difference exceeds 8/255",
+          .combination = SessionCombination::kMean,
+          .evaluate = evaluate};
 }
 
 }  // namespace reprise

@@ -53,8 +53,10 @@ double evaluate(const MetricInputs& inputs) {
 }  // namespace
 
 Metric p95Metric() {
-  return {"p95", "95th percentile over covered pixels of the mean absolute channel difference",
-          SessionCombination::kFrameMean, false, evaluate};
+  return {.name = "p95",
+          .description = "95th percentile over covered pixels of the mean absolute channel difference",
+          .combination = SessionCombination::kFrameMean,
+          .evaluate = evaluate};
 }
 
 }  // namespace reprise

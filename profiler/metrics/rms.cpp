@@ -79,8 +79,10 @@ double evaluate(const MetricInputs& inputs) {
 }  // namespace
 
 Metric rmsMetric() {
-  return {"rms", "root of the mean squared difference over covered pixels and channels",
-          SessionCombination::kRootMeanSquare, false, evaluate};
+  return {.name = "rms",
+          .description = "root of the mean squared difference over covered pixels and channels",
+          .combination = SessionCombination::kRootMeanSquare,
+          .evaluate = evaluate};
 }
 
 }  // namespace reprise

@@ -56,8 +56,11 @@ double evaluate(const MetricInputs& inputs) {
 }  // namespace
 
 Metric ssimMetric() {
-  return {"ssim", "1 - SSIM of luma with a Gaussian window of 11x11 pixels, mean over covered pixels",
-          SessionCombination::kMean, true, evaluate};
+  return {.name = "ssim",
+          .description = "1 - SSIM of luma with a Gaussian window of 11x11 pixels, mean over covered pixels",
+          .combination = SessionCombination::kMean,
+          .expensive = true,
+          .evaluate = evaluate};
 }
 
 }  // namespace reprise

@@ -25,6 +25,9 @@ struct JobEntry {
   // kLaws: how far colours of hits may be off, relative to the larger of 1 and the value, without a witness; 0: not at all. For payloads
   // that are kept with less than all their bits, such as regrouped sums.
   double tolerance = 0;
+  // kErrors: what a displayed channel may differ by, the rest is cut off; 0: nothing is. For finding out what metrics make of small
+  // differences (bench/quality_levels).
+  double most_difference = 0;
   bool operator==(const JobEntry&) const = default;
 };
 
@@ -133,7 +136,9 @@ struct SupervisorOptions {
   std::string worker_path;
   double silence_timeout_s = 60;
   std::function<bool()> interrupted;  // polled; true ends the worker and the job: kInterrupted
+  std::function<bool()> expired;      // the same, where the job's time is over: run.budget (kInterrupted), and nothing of the job is kept
 };
+inline constexpr const char* kBudgetEnded = "run.budget";
 Result<JobResult> superviseJob(const Job& job, const SupervisorOptions& options,
                                const std::function<void(const JobProgress&)>& progress);
 

@@ -10,7 +10,7 @@ using nlohmann::json;
 NLOHMANN_JSON_SERIALIZE_ENUM(JobKind, {{JobKind::kErrors, "errors"}, {JobKind::kTimes, "times"}, {JobKind::kProbe, "probe"},
                                        {JobKind::kObjects, "objects"}, {JobKind::kImages, "images"}, {JobKind::kReference, "reference"},
                                        {JobKind::kLaws, "laws"}})
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(JobEntry, package_dir, period_frames, tolerance)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(JobEntry, package_dir, period_frames, tolerance, most_difference)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Job, kind, scenario_path, session, original_dir, entries, metrics, frames, rounds, warmup_frames, width,
                                    height, device, image_frame, image_dir, strip_frames, reference_dir, fence_timeout_s, run_id)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ObjectCounts, drawn, flagged)
@@ -24,7 +24,8 @@ json errorRowJson(const ErrorRow& row) {
   // JSON has no NaN; null stands for it.
   for (const auto& [name, value] : row.errors) errors[name] = value;
   return {{"frame", row.frame}, {"covered", row.covered}, {"hits", row.hits}, {"misses", row.misses},
-          {"shaded_hits", row.shaded_hits}, {"shaded_misses", row.shaded_misses}, {"nonfinite", row.nonfinite}, {"spoiled", row.spoiled}, {"errors", errors}};
+          {"shaded_hits", row.shaded_hits}, {"shaded_misses", row.shaded_misses}, {"nonfinite", row.nonfinite}, {"spoiled", row.spoiled}, {"errors", errors},
+          {"tiles", row.tiles}};
 }
 
 ErrorRow errorRowFrom(const json& from) {
@@ -39,6 +40,7 @@ ErrorRow errorRowFrom(const json& from) {
   row.spoiled = from.at("spoiled");
   for (const auto& [name, value] : from.at("errors").items())
     row.errors[name] = value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+  row.tiles = from.at("tiles").get<std::map<std::string, std::vector<std::uint16_t>>>();
   return row;
 }
 

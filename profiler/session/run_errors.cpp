@@ -4,9 +4,12 @@
 // them all. Entries are played in batches that fit into memory; each batch renders the original again, which changes no row.
 #include <algorithm>
 #include <cstring>
+#include <deque>
 #include <future>
 
+#include "profiler/metrics/flip.h"
 #include "profiler/metrics/metrics.h"
+#include "profiler/metrics/tiles.h"
 #include "profiler/session/display.h"
 #include "profiler/session/stage.h"
 
@@ -94,10 +97,13 @@ class ErrorRun {
       REPRISE_TRY(beginFrame(stage_, frame, job_.fence_timeout_s));
       std::swap(original_.last, original_.current);
       REPRISE_TRY(render(original, 1, original_));
+      flip_originals_.clear();
+      for (const DisplayImage& image : original_.current) flip_originals_.emplace_back(image);
       if (!all_count) REPRISE_TRY(readDepth());
       for (std::size_t i = 0; i < batch.count; ++i) {
         std::swap(cached_.last, last[i]);
         REPRISE_TRY(render(players[i], job_.entries[batch.first + i].period_frames, cached_));
+        cutDifferences(static_cast<float>(job_.entries[batch.first + i].most_difference));
         ErrorRow row;
         row.frame = frame;
         REPRISE_TRY(count(players[i], row));
@@ -137,6 +143,15 @@ class ErrorRun {
       }
     }
     return {};
+  }
+
+  void cutDifferences(float most) {
+    if (!(most > 0)) return;
+    for (std::size_t output = 0; output < cached_.current.size(); ++output) {
+      const std::vector<float>& original = original_.current[output].rgb;
+      std::vector<float>& cached = cached_.current[output].rgb;
+      for (std::size_t i = 0; i < cached.size(); ++i) cached[i] = std::clamp(cached[i], original[i] - most, original[i] + most);
+    }
   }
 
   // Entries without counters (references): what the original covers, all of it missed.
@@ -191,17 +206,30 @@ class ErrorRun {
     }
     if (row.covered == row.nonfinite) return;
     // The device waits for this, on CPU devices with all its threads.
-    std::vector<std::future<double>> values;
-    for (const Metric* metric : metrics_) values.push_back(std::async(std::launch::async, [this, metric] { return worstOf(*metric); }));
-    for (std::size_t i = 0; i < metrics_.size(); ++i) row.errors[metrics_[i]->name] = values[i].get();
+    std::vector<std::future<Judged>> judged;
+    for (const Metric* metric : metrics_) judged.push_back(std::async(std::launch::async, [this, metric] { return worstOf(*metric); }));
+    for (std::size_t i = 0; i < metrics_.size(); ++i) {
+      Judged one = judged[i].get();
+      row.errors[metrics_[i]->name] = one.value;
+      if (metrics_[i]->tiles) row.tiles[metrics_[i]->name] = keptTiles(one.tiles);
+    }
   }
 
-  // Over the outputs.
-  double worstOf(const Metric& metric) const {
-    double worst = 0;
+  struct Judged {
+    double value = 0;
+    std::vector<float> tiles;
+  };
+
+  // Over the outputs: the worst of them, but the tiles of all.
+  Judged worstOf(const Metric& metric) const {
+    Judged worst;
     for (std::size_t i = 0; i < cached_.current.size(); ++i) {
-      const double value = metric.evaluate({&original_.current[i], &cached_.current[i], lastOf(original_, i), lastOf(cached_, i), &mask_});
-      if (!(value <= worst)) worst = value;  // keeps a NaN, too
+      const MetricInputs inputs{.original = &original_.current[i], .cached = &cached_.current[i], .last_original = lastOf(original_, i),
+                                .last_cached = lastOf(cached_, i), .mask = &mask_, .flip_original = &flip_originals_[i]};
+      const std::vector<float> tiles = metric.tiles ? metric.tiles(inputs) : std::vector<float>{};
+      const double value = metric.tiles ? tailOf(tiles) : metric.evaluate(inputs);
+      if (!(value <= worst.value)) worst.value = value;  // keeps a NaN, too
+      worst.tiles.insert(worst.tiles.end(), tiles.begin(), tiles.end());
     }
     return worst;
   }
@@ -215,6 +243,7 @@ class ErrorRun {
   Readback readback_;
   std::vector<const Metric*> metrics_;
   Rendered original_, cached_;
+  std::deque<FlipOriginal> flip_originals_;  // of the frame, by output
   CoverageMask mask_;
   std::vector<std::uint8_t> depth_mask_;
   JobProgress progress_;

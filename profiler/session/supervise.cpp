@@ -86,6 +86,10 @@ class Worker {
         kill();
         return Error{ErrorKind::kInterrupted, "run.interrupted", "interrupted; run the same command again to go on from here", {}};
       }
+      if (options.expired && options.expired()) {
+        kill();
+        return Error{ErrorKind::kInterrupted, kBudgetEnded, "the budget ended", {}};
+      }
       if (std::chrono::duration<double>(std::chrono::steady_clock::now() - heard).count() > options.silence_timeout_s) {
         kill();
         return Error{ErrorKind::kMeasurement, "worker.timeout",

@@ -1,7 +1,9 @@
 #include "profiler/training/measure.h"
 
+#include <algorithm>
 #include <chrono>
 
+#include "profiler/metrics/metrics.h"
 #include "runtime/base/hash.h"
 
 namespace reprise {
@@ -12,6 +14,14 @@ SeriesKey keyOf(const Measuring& measuring, const std::string& session, const Se
   key.session = session;
   key.variant_hash = request.variant_hash;
   key.period_frames = request.period_frames;
+  return key;
+}
+
+// Errors with costly metrics are a series of their own: one without them may be there already, and is never added to.
+SeriesKey errorKeyOf(const Measuring& measuring, const std::string& session, const SeriesRequest& request) {
+  SeriesKey key = keyOf(measuring, session, request);
+  for (const Metric& metric : metrics())
+    if (metric.expensive && std::find(measuring.metrics.begin(), measuring.metrics.end(), metric.name) != measuring.metrics.end()) key.variant_hash += "+" + metric.name;
   return key;
 }
 
@@ -42,14 +52,14 @@ Result<std::vector<ErrorSeries>> runErrors(const Measuring& measuring, const std
   if (result.ok()) {
     for (std::size_t i = 0; i < requests.size(); ++i) {
       series[i].rows = std::move(result->errors[i]);
-      REPRISE_TRY(measuring.store->appendErrors(keyOf(measuring, session, requests[i]), series[i].rows));
+      REPRISE_TRY(measuring.store->appendErrors(errorKeyOf(measuring, session, requests[i]), series[i].rows));
     }
     return series;
   }
   if (!isRecorded(result.error())) return result.error();
   if (requests.size() == 1) {
     series[0].failure = FailureRow{result.error().code, result.error().message};
-    REPRISE_TRY(measuring.store->appendFailure(keyOf(measuring, session, requests[0]), *series[0].failure));
+    REPRISE_TRY(measuring.store->appendFailure(errorKeyOf(measuring, session, requests[0]), *series[0].failure));
     return series;
   }
   for (std::size_t i = 0; i < requests.size(); ++i) {
@@ -93,7 +103,7 @@ Result<std::vector<ErrorSeries>> measureErrors(const Measuring& measuring, const
   std::vector<SeriesRequest> missing;
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < requests.size(); ++i) {
-    const SeriesKey key = keyOf(measuring, session, requests[i]);
+    const SeriesKey key = errorKeyOf(measuring, session, requests[i]);
     REPRISE_ASSIGN(auto rows, measuring.store->errors(key));
     if (rows) {
       series[i].rows = std::move(*rows);

@@ -13,7 +13,7 @@ const fs::path kShaders = fs::path(REPRISE_SOURCE_DIR) / "examples/cmake_project
 
 Choice recordedAt(double speedup) {
   Choice choice;
-  choice.max_error = 0.02;
+  choice.limits.thresholds = {{"rms", 0.02}};
   choice.device.name = "device";
   choice.measured.speedup = speedup;
   choice.measured.error = 0.01;

@@ -35,12 +35,14 @@ class ScopedVariable {
   std::optional<std::string> before_;
 };
 
-TEST(Budget, ThatEndsBeforeAnyMeasurementIsTheReasonForTheOriginal) {
+TEST(Budget, ThatEndsBeforeAnyMeasurementLeavesTheAnswerUndecided) {
   const SmallScenario scenario;
-  ASSERT_EQ(runCommand(optimizeSmall(scenario, {"--budget", "0.001s"})).status, kExitDone);
+  ASSERT_EQ(runCommand(optimizeSmall(scenario, {"--budget", "0.001s"})).status, kExitUndecided);
   const Result<RunResult> result = resultFromJson(textOf(scenario.output() / "result.json"));
   ASSERT_TRUE(result.ok()) << formatError(result.error());
-  EXPECT_EQ(result->choice.kind, ChoiceKind::kOriginal);
+  EXPECT_EQ(result->choice.kind, ChoiceKind::kUndecided);
+  EXPECT_FALSE(fs::exists(scenario.output() / "choice.json"));
+  EXPECT_TRUE(fs::exists(scenario.output() / "package" / "manifest.json")) << "it holds the original";
   EXPECT_FALSE(result->not_reached.empty());
   EXPECT_NE(result->choice.reason.find("budget"), std::string::npos) << result->choice.reason;
 }
@@ -65,7 +67,7 @@ TEST(Budget, IsNotSpentByWaitingForTheDevice) {
   Progress progress(ProgressStyle::kQuiet, [&] { return now_s; });
   OptimizeArguments arguments;
   arguments.scenario = scenario.toml().string();
-  arguments.max_error = 1e-9;  // nothing keeps it, so the run is short
+  arguments.demand = demandOf({.max_error = 1e-9}).value();  // nothing keeps it, so the run is short
   arguments.budget_s = 600;
   arguments.output = scenario.output().string();
   arguments.worker_path = REPRISE_EXECUTABLE;

@@ -21,7 +21,7 @@ class HoldLaws : public testing::Test {
     workspace_ = Workspace::open(scenario_.output()).value();
     ASSERT_TRUE(copyInputs(subject_, workspace_.scenarioFile()).ok());
     const DeviceSummary device = chosenDevice("").value();
-    bench_ = std::make_unique<Bench>(openBench(subject_, workspace_, {"", REPRISE_EXECUTABLE, "rms", {}}, device).value());
+    bench_ = std::make_unique<Bench>(openBench(subject_, workspace_, {"", REPRISE_EXECUTABLE, {"rms"}, {}}, device).value());
     bench_->measuring.store = &bench_->store;
   }
 

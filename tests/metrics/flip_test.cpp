@@ -31,7 +31,7 @@ DisplayImage waves(bool cached) {
 }
 
 double flip(const DisplayImage& original, const DisplayImage& cached, const CoverageMask& mask) {
-  return findMetric("flip")->evaluate({&original, &cached, nullptr, nullptr, &mask});
+  return findMetric("flip")->value({&original, &cached, nullptr, nullptr, &mask});
 }
 
 TEST(Flip, EqualsADirectEvaluationOfThePaper) {

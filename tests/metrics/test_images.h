@@ -31,6 +31,14 @@ inline DisplayImage smoothImage(int width, int height) {
   return image;
 }
 
+// Ages of blocks of 8x8 pixels that are refreshed in turn.
+inline std::vector<std::uint8_t> blockAges(int width, int height) {
+  std::vector<std::uint8_t> ages;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) ages.push_back(static_cast<std::uint8_t>((x / 8 + y / 8) % 2));
+  return ages;
+}
+
 // image + amplitude · noise in [−1, 1]; the same noise for the same seed, whatever the amplitude.
 inline DisplayImage withNoise(DisplayImage image, float amplitude, std::uint32_t seed) {
   std::mt19937 random(seed);

@@ -25,7 +25,7 @@ TEST(ChoiceSentence, SaysWhatHowFastAndHowWrong) {
   EXPECT_EQ(choiceSentence(sample::variantRun()),
             "Caching albedo (two_pass, refreshed every 32 frames) makes the shader 3.12 times as fast (95% "
             "interval 3.04 to 3.21) "
-            "with a validation error of 0.0151 rms; 0.02 rms was allowed.");
+            "with a validation error of 0.0151 rms; allowed was rms 0.02.");
 }
 
 TEST(ChoiceSentence, SaysWhyForTheOriginal) {

@@ -22,7 +22,7 @@ class EveryOutput : public testing::TestWithParam<const char*> {};
 TEST_P(EveryOutput, OriginalAgainstItselfHasNoError) {
   const MeasuredScene scene(GetParam());
   Job job = scene.job(JobKind::kErrors, {scene.original(), 1});
-  job.metrics = {"ssim", "flip"};
+  job.metrics = {"ssim", "flip", "tile_flip"};
   job.frames = 4;
   job.width = 160;
   job.height = 90;
