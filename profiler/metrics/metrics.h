@@ -25,6 +25,7 @@ struct MetricInputs {
   const DisplayImage* last_original = nullptr;  // of the frame before; null in the first frame
   const DisplayImage* last_cached = nullptr;
   const CoverageMask* mask = nullptr;
+  const std::vector<std::uint8_t>* ages = nullptr;  // by pixel: frames since the payload that it shows was computed; null where not known
 };
 
 enum class SessionCombination {

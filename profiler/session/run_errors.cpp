@@ -8,6 +8,7 @@
 
 #include "profiler/metrics/metrics.h"
 #include "profiler/session/display.h"
+#include "profiler/session/read_kinds.h"
 #include "profiler/session/stage.h"
 
 namespace reprise {
@@ -84,7 +85,7 @@ class ErrorRun {
     for (std::size_t i = 0; i < batch.count; ++i) {
       REPRISE_ASSIGN(Player player, createPlayer(stage_, stage_.packages[batch.first + i]));
       players.push_back(std::move(player));
-      all_count = all_count && counts(players.back());
+      all_count = all_count && tellsKinds(players.back().recipe());
     }
     original_ = {};
     cached_ = {};
@@ -111,11 +112,6 @@ class ErrorRun {
       if (progress) progress(progress_);
     }
     return {};
-  }
-
-  static bool counts(const Player& player) {
-    const std::vector<Resource>& resources = player.recipe().resources;
-    return std::any_of(resources.begin(), resources.end(), [](const Resource& one) { return one.name == "kind"; });
   }
 
   Result<void> render(Player& player, std::uint32_t period, Rendered& into) {
@@ -147,21 +143,17 @@ class ErrorRun {
   }
 
   Result<void> count(const Player& player, ErrorRow& row) {
-    const auto kind = player.resource("kind");
-    if (!kind) {
-      mask_.kind = depth_mask_;
-    } else {
-      REPRISE_ASSIGN(const auto kinds, readback_.read(*stage_.commands, {kind->image, kind->format, kind->extent, kind->layout}));
-      mask_.kind.resize(kinds.size());
-      std::memcpy(mask_.kind.data(), kinds.data(), kinds.size());
-      REPRISE_TRY(countFragments(player, row));
-    }
+    REPRISE_ASSIGN(PixelKinds told, readKinds(readback_, *stage_.commands, player));
+    const bool counted = !told.kind.empty();
+    mask_.kind = counted ? std::move(told.kind) : depth_mask_;
+    ages_ = std::move(told.age);
+    if (counted) REPRISE_TRY(countFragments(player, row));
     for (const std::uint8_t one : mask_.kind) {
       row.hits += one == 1;
       row.misses += one == 2;
     }
     row.covered = row.hits + row.misses;
-    if (!kind) row.shaded_misses = row.misses;
+    if (!counted) row.shaded_misses = row.misses;
     return {};
   }
 
@@ -200,7 +192,8 @@ class ErrorRun {
   double worstOf(const Metric& metric) const {
     double worst = 0;
     for (std::size_t i = 0; i < cached_.current.size(); ++i) {
-      const double value = metric.evaluate({&original_.current[i], &cached_.current[i], lastOf(original_, i), lastOf(cached_, i), &mask_});
+      const double value = metric.evaluate({&original_.current[i], &cached_.current[i], lastOf(original_, i), lastOf(cached_, i), &mask_,
+                                           ages_.empty() ? nullptr : &ages_});
       if (!(value <= worst)) worst = value;  // keeps a NaN, too
     }
     return worst;
@@ -216,7 +209,7 @@ class ErrorRun {
   std::vector<const Metric*> metrics_;
   Rendered original_, cached_;
   CoverageMask mask_;
-  std::vector<std::uint8_t> depth_mask_;
+  std::vector<std::uint8_t> ages_, depth_mask_;
   JobProgress progress_;
 };
 
