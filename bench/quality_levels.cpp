@@ -54,7 +54,7 @@ class Scene {
       VariantOptions options = baseOptions(subject_, *ranges, subject_.candidates[i]);
       options.strategy = "two_pass";  // cheapest on CPU devices
       if (refuseVariant(subject_.program, subject_.candidates[i], options, subject_.limits)) options.strategy = "branch";
-      options.instrumented = true;
+      options.instrumented = options.aged = true;
       const Result<StoredVariant> variant = storeVariant(workspace_, subject_.program, subject_.candidates[i], options, subject_.limits);
       if (variant.ok()) variants.push_back(*variant);
     }

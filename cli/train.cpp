@@ -82,7 +82,7 @@ class Trainer {
 
   void addStudy(std::size_t candidate, const VariantOptions& options) {
     VariantOptions instrumented = options;
-    instrumented.instrumented = true;
+    instrumented.instrumented = instrumented.aged = true;
     // Errors are the same in every strategy (law 11); where state and device allow it, two passes render fastest on CPU devices.
     instrumented.strategy = "two_pass";
     if (refuseVariant(subject_.program, subject_.candidates[candidate], instrumented, subject_.limits)) instrumented.strategy = "branch";

@@ -77,7 +77,7 @@ Result<bool> equalsOriginal(const Subject& subject, const Workspace& workspace, 
 Result<bool> measureValidationErrors(const Subject& subject, const Workspace& workspace, const Measuring& measuring,
                                      const ValidationPlan& plan, ValidationRun& run) {
   VariantOptions options = plan.options;
-  options.instrumented = true;
+  options.instrumented = options.aged = true;
   REPRISE_ASSIGN(const StoredVariant counting, storeVariant(workspace, subject.program, subject.candidates[plan.candidate], options, subject.limits));
   for (ValidatedSession& session : run.sessions) {
     REPRISE_ASSIGN(std::vector<ErrorSeries> series,

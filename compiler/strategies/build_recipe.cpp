@@ -143,7 +143,8 @@ class RecipeBuilder {
         recipe().resources.push_back({payloadTarget(target), layout_.payload_formats[target], 1, lifetime, {0, 0, 0, 0}});
       if (!layout_.depth_in_alpha) recipe().resources.push_back({kPayloadDepth, layout_.depth_format, 1, lifetime, {0, 0, 0, 0}});
       if (options_.instrumented) {
-        recipe().resources.push_back({"kind", ResourceFormat::kR8Unorm, 1, Lifetime::kFrame, {0, 0, 0, 0}});
+        if (ages()) recipe().resources.push_back({kKindAndAge, ResourceFormat::kRg16Sfloat, 1, fetchesAges() ? Lifetime::kHistory : Lifetime::kFrame, {0, 0, 0, 0}});
+        else recipe().resources.push_back({kKind, ResourceFormat::kR8Unorm, 1, Lifetime::kFrame, {0, 0, 0, 0}});
         recipe().resources.push_back({"counts", ResourceFormat::kRgba32Sfloat, 1, Lifetime::kFrame, {0, 0, 0, 0}});
       }
     }
@@ -156,9 +157,16 @@ class RecipeBuilder {
   // The targets of a history: those of the payload, and its depth's.
   int cacheTargets() const { return static_cast<int>(targets()) + (layout_.depth_in_alpha ? 0 : 1); }
 
+  bool ages() const { return options_.instrumented && options_.aged; }
+
+  // Of pairs of eyes the second takes from the first alone, which has age 0 everywhere.
+  bool fetchesAges() const { return ages() && !pairs_; }
+
   FrameMacros macros() const {
-    return frameMacros({program_, options_, layout_, built_.recipe.constants, guards_, candidate_.scalar, strategy_.keeps_raw_payload,
-                        built_.recipe.reprise_set});
+    FrameMacros values = frameMacros({program_, options_, layout_, built_.recipe.constants, guards_, candidate_.scalar, strategy_.keeps_raw_payload,
+                                      built_.recipe.reprise_set});
+    if (fetchesAges()) values["AGE_BINDING"] = std::to_string(kHistoryBinding + static_cast<std::uint32_t>(cacheTargets()));
+    return values;
   }
 
   Result<void> addModule(const std::string& name, const std::string& stage, const std::vector<std::uint32_t>& words) {
@@ -255,7 +263,7 @@ class RecipeBuilder {
       if (!layout_.depth_in_alpha) add(kPayloadDepth, BlendKind::kReplace);
     }
     if (plan.counts && keepsHistory() && options_.instrumented) {
-      add("kind", BlendKind::kReplace);
+      add(ages() ? kKindAndAge : kKind, BlendKind::kReplace);
       add("counts", BlendKind::kAdd);
     }
     // What is kept of a pixel without a miss does not matter, but for the word that says so.
@@ -300,6 +308,7 @@ class RecipeBuilder {
       for (std::size_t target = 0; target < targets(); ++target)
         read(payloadTarget(target), plan.reads_current ? Filter::kNearest : options_.filter);
     if (plan.reads_history && !layout_.depth_in_alpha) read(kPayloadDepth, options_.filter);
+    if (plan.reads_history && fetchesAges()) read(kKindAndAge, Filter::kNearest);
     if (plan.kind == PassKind::kTiles)
       for (std::size_t target = 0; target < kept_formats_.size(); ++target)
         pass.reads.push_back({keptTarget(target), kHistoryBinding + static_cast<std::uint32_t>(target), Filter::kNearest, true});

@@ -23,6 +23,11 @@ struct VariantOptions {
   std::uint32_t period_frames = 8;
   PreviousImage previous = PreviousImage::kLastFrame;
   bool instrumented = false;         // the counting copy: resources "kind" and "counts"
+  // Of the counting copy: "kind_and_age" in place of "kind". The age is the number of frames since the payload that a pixel shows was computed,
+  // 255 for more. A miss has 0. A hit has one more than the texel nearest to where it was fetched, which a nearest fetch would take, also
+  // where a filter mixes several. Frames are counted as they are recorded: of a pair of eyes the first has 0, and what the second takes from
+  // it has 1. Pixels that are uncovered have no age.
+  bool aged = false;
   bool poisoned = false;             // hits get wrong payloads: whether that shows tells whether a test of hits can
   bool orthographic = false;         // the camera's projection: history depth is z, else w
   ValueRanges ranges;

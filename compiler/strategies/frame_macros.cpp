@@ -78,6 +78,8 @@ FrameMacros frameMacros(const FrameMacroSource& source) {
           {"ORTHOGRAPHIC", flag(options.orthographic)},
           {"BILINEAR", flag(options.filter == Filter::kBilinear)},
           {"INSTRUMENTED", flag(options.instrumented)},
+          {"AGED", flag(options.instrumented && options.aged)},
+          {"AGE_BINDING", "0"},
           {"POISONED", flag(options.poisoned)},
           {"BLOCK_SHIFT", number(std::countr_zero(options.block_pixels))},
           {"PATTERN_TILED", "0"},

@@ -11,6 +11,7 @@
 #include "profiler/metrics/metrics.h"
 #include "profiler/metrics/tiles.h"
 #include "profiler/session/display.h"
+#include "profiler/session/read_kinds.h"
 #include "profiler/session/stage.h"
 
 namespace reprise {
@@ -87,7 +88,7 @@ class ErrorRun {
     for (std::size_t i = 0; i < batch.count; ++i) {
       REPRISE_ASSIGN(Player player, createPlayer(stage_, stage_.packages[batch.first + i]));
       players.push_back(std::move(player));
-      all_count = all_count && counts(players.back());
+      all_count = all_count && tellsKinds(players.back().recipe());
     }
     original_ = {};
     cached_ = {};
@@ -117,11 +118,6 @@ class ErrorRun {
       if (progress) progress(progress_);
     }
     return {};
-  }
-
-  static bool counts(const Player& player) {
-    const std::vector<Resource>& resources = player.recipe().resources;
-    return std::any_of(resources.begin(), resources.end(), [](const Resource& one) { return one.name == "kind"; });
   }
 
   Result<void> render(Player& player, std::uint32_t period, Rendered& into) {
@@ -162,21 +158,17 @@ class ErrorRun {
   }
 
   Result<void> count(const Player& player, ErrorRow& row) {
-    const auto kind = player.resource("kind");
-    if (!kind) {
-      mask_.kind = depth_mask_;
-    } else {
-      REPRISE_ASSIGN(const auto kinds, readback_.read(*stage_.commands, {kind->image, kind->format, kind->extent, kind->layout}));
-      mask_.kind.resize(kinds.size());
-      std::memcpy(mask_.kind.data(), kinds.data(), kinds.size());
-      REPRISE_TRY(countFragments(player, row));
-    }
+    REPRISE_ASSIGN(PixelKinds told, readKinds(readback_, *stage_.commands, player));
+    const bool counted = !told.kind.empty();
+    mask_.kind = counted ? std::move(told.kind) : depth_mask_;
+    ages_ = std::move(told.age);
+    if (counted) REPRISE_TRY(countFragments(player, row));
     for (const std::uint8_t one : mask_.kind) {
       row.hits += one == 1;
       row.misses += one == 2;
     }
     row.covered = row.hits + row.misses;
-    if (!kind) row.shaded_misses = row.misses;
+    if (!counted) row.shaded_misses = row.misses;
     return {};
   }
 
@@ -225,7 +217,8 @@ class ErrorRun {
     Judged worst;
     for (std::size_t i = 0; i < cached_.current.size(); ++i) {
       const MetricInputs inputs{.original = &original_.current[i], .cached = &cached_.current[i], .last_original = lastOf(original_, i),
-                                .last_cached = lastOf(cached_, i), .mask = &mask_, .flip_original = &flip_originals_[i]};
+                                
+                                .mask = &mask_, .ages = ages_.empty() ? nullptr : &ages_, .flip_original = &flip_originals_[i]};
       const std::vector<float> tiles = metric.tiles ? metric.tiles(inputs) : std::vector<float>{};
       const double value = metric.tiles ? tailOf(tiles) : metric.evaluate(inputs);
       if (!(value <= worst.value)) worst.value = value;  // keeps a NaN, too
@@ -245,7 +238,7 @@ class ErrorRun {
   Rendered original_, cached_;
   std::deque<FlipOriginal> flip_originals_;  // of the frame, by output
   CoverageMask mask_;
-  std::vector<std::uint8_t> depth_mask_;
+  std::vector<std::uint8_t> ages_, depth_mask_;
   JobProgress progress_;
 };
 

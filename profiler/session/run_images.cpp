@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "profiler/session/display.h"
+#include "profiler/session/read_kinds.h"
 #include "profiler/session/stage.h"
 
 namespace reprise {
@@ -25,11 +26,11 @@ DisplayImage errorImage(const DisplayImage& original, const DisplayImage& cached
   return image;
 }
 
-DisplayImage kindImage(std::span<const std::byte> kinds, const DisplayImage& like) {
+DisplayImage kindImage(std::span<const std::uint8_t> kinds, const DisplayImage& like) {
   DisplayImage image = like;
   const std::array<std::array<float, 3>, 3> colors = {colorFrom("#d9d9d9"), colorFrom(kHitColorText), colorFrom(kMissColorText)};
   for (std::size_t pixel = 0; pixel < kinds.size(); ++pixel)
-    std::copy_n(colors[std::min<std::size_t>(std::to_integer<std::size_t>(kinds[pixel]), 2)].begin(), 3, &image.rgb[pixel * 3]);
+    std::copy_n(colors[std::min<std::size_t>(kinds[pixel], 2)].begin(), 3, &image.rgb[pixel * 3]);
   return image;
 }
 
@@ -107,10 +108,8 @@ class ImageRun {
     REPRISE_ASSIGN(const DisplayImage cached, display());
     REPRISE_TRY(write(cached, "cached" + suffix));
     REPRISE_TRY(write(errorImage(original_, cached), "error" + suffix));
-    if (const auto kind = player.resource("kind")) {
-      REPRISE_ASSIGN(const auto kinds, readback_.read(*stage_.commands, {kind->image, kind->format, kind->extent, kind->layout}));
-      REPRISE_TRY(write(kindImage(kinds, cached), "hit_miss" + suffix));
-    }
+    REPRISE_ASSIGN(const PixelKinds told, readKinds(readback_, *stage_.commands, player));
+    if (!told.kind.empty()) REPRISE_TRY(write(kindImage(told.kind, cached), "hit_miss" + suffix));
     if (const auto cache = player.resource(payloadTarget(0))) {
       REPRISE_ASSIGN(const auto bytes, readback_.read(*stage_.commands, {cache->image, cache->format, cache->extent, cache->layout}));
       const PayloadValue& payload = player.recipe().payload.front();

@@ -7,6 +7,7 @@
 #include "profiler/metrics/rounding.h"
 #include "profiler/scenario/names.h"
 #include "profiler/session/law_frames.h"
+#include "profiler/session/read_kinds.h"
 #include "profiler/session/stage.h"
 #include "runtime/base/file.h"
 
@@ -50,11 +51,8 @@ class FramePlayer {
                                                                           VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL}));
       played.colors.push_back(wordsOf(texels));
     }
-    if (const auto kind = player.resource("kind")) {
-      REPRISE_ASSIGN(const auto kinds, readback_.read(*stage_.commands, {kind->image, kind->format, kind->extent, kind->layout}));
-      played.kinds.resize(kinds.size());
-      std::memcpy(played.kinds.data(), kinds.data(), kinds.size());
-    }
+    REPRISE_ASSIGN(PixelKinds told, readKinds(readback_, *stage_.commands, player));
+    played.kinds = std::move(told.kind);
     return played;
   }
 

@@ -132,6 +132,9 @@ enum class BlendKind { kReplace, kAdd };  // kAdd: one + one, for the counting c
 // Names of the resources that hold a payload: "cache", "cache1", ... by target, and its depth where that has an image of its own.
 std::string payloadTarget(std::size_t target);
 inline constexpr const char* kPayloadDepth = "cache_depth";
+// Of counting copies: what each pixel shows, 0 uncovered, 1 hit, 2 miss, in a byte; or, as floats, the same and the payload's age in frames.
+inline constexpr const char* kKind = "kind";
+inline constexpr const char* kKindAndAge = "kind_and_age";
 
 struct ColorAttachment {
   int app_target = -1;   // index of the application's colour target, or

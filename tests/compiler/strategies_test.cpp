@@ -96,11 +96,12 @@ TEST(StrategyTwoPassObjects, DrawsAgainWhatItsMissesFlagOverWhatItsHitsWrote) {
 TEST_P(StrategyOn, GivesValidModulesAndAConsistentPackage) {
   const SubjectOfStrategies subject = subjectOf(GetParam());
   for (const Strategy& strategy : strategies())
-    for (const bool instrumented : {false, true}) {
-      SCOPED_TRACE(strategy.name + (instrumented ? " instrumented" : ""));
+    for (const std::string copy : {"shipped", "instrumented", "aged"}) {
+      SCOPED_TRACE(strategy.name + " " + copy);
       VariantOptions options;
       options.strategy = strategy.name;
-      options.instrumented = instrumented;
+      options.instrumented = copy != "shipped";
+      options.aged = copy == "aged";
       options.filter = filterFor(subject.first(), options.filter);
       const Result<Package> package = buildPackage(subject.program, subject.first(), options, kAllows);
       if (!package.ok() && rightlyRefused(strategy, subject.program, package.error())) continue;
@@ -164,9 +165,10 @@ TEST_P(StrategyOn, TwoBuildsOfAVariantAreTheSameBytes) {
 INSTANTIATE_TEST_SUITE_P(Strategies, StrategyOn, testing::ValuesIn(shippedFragmentShaders()),
                          [](const auto& parameter) { return stemOf(parameter.param); });
 
-TEST(Recipe, MoreColourTargetsThanDevicesHaveAreRefused) {
+// A shader with so many outputs, and its candidates.
+SubjectOfStrategies subjectWithOutputs(int count) {
   std::string outputs, body;
-  for (int i = 0; i < 8; ++i) {
+  for (int i = 0; i < count; ++i) {
     outputs += "layout(location = " + std::to_string(i) + ") out vec4 color" + std::to_string(i) + ";\n";
     body += "  color" + std::to_string(i) + " = vec4(sin(place * " + std::to_string(i + 2) + ".0), 1.0);\n";
   }
@@ -174,14 +176,39 @@ TEST(Recipe, MoreColourTargetsThanDevicesHaveAreRefused) {
       compiled("#version 450\nlayout(location = 0) in vec3 place;\n" + outputs + "void main() {\n" + body + "}\n", "test.frag");
   const CompiledShader vertex = compiled("#version 450\nlayout(location = 0) in vec3 position;\nlayout(location = 0) out vec3 place;\n"
                                          "void main() { place = position; gl_Position = vec4(position, 1.0); }\n", "test.vert");
-  const ShaderProgram program = readProgram(vertex, fragment).value();
+  SubjectOfStrategies subject{readProgram(vertex, fragment).value(), {}};
   CandidateOptions all;
   all.least_share = 0;
-  const std::vector<Candidate> candidates = enumerateCandidates(*program.fragment, program.analysis, program.sources, all);
-  ASSERT_TRUE(candidates.front().kept());
-  const auto built = buildRecipe(program, candidates.front(), {}, {true, true});
+  subject.candidates = enumerateCandidates(*subject.program.fragment, subject.program.analysis, subject.program.sources, all);
+  REPRISE_CHECK(subject.first().kept(), count);
+  return subject;
+}
+
+TEST(Recipe, MoreColourTargetsThanDevicesHaveAreRefused) {
+  const SubjectOfStrategies subject = subjectWithOutputs(8);
+  const auto built = buildRecipe(subject.program, subject.first(), {}, {true, true});
   ASSERT_FALSE(built.ok());
   EXPECT_EQ(built.error().code, "state.targets");
+}
+
+TEST(Recipe, AgesNeedNoColourTargetOfTheirOwn) {
+  VariantOptions options;
+  options.strategy = "branch";
+  options.instrumented = options.aged = true;
+  // Beside the outputs: one target of the payload, with its depth, and two that count.
+  const SubjectOfStrategies subject = subjectWithOutputs(5);
+  const Result<Package> package = buildPackage(subject.program, subject.first(), options, kAllows);
+  ASSERT_TRUE(package.ok()) << formatError(package.error());
+  EXPECT_TRUE(checkPackage(*package).ok());
+  EXPECT_EQ(package->variant.requirements.color_attachments, static_cast<int>(kMostColorTargets));
+}
+
+TEST(Recipe, AgesAreOfTheCountingCopyAlone) {
+  const SubjectOfStrategies subject = subjectOf(std::string(REPRISE_SOURCE_DIR) + "/shaders/marble/marble.frag");
+  VariantOptions options, aged;
+  aged.aged = true;
+  EXPECT_EQ(recipeToJson(buildRecipe(subject.program, subject.first(), aged, kAllows)->recipe),
+            recipeToJson(buildRecipe(subject.program, subject.first(), options, kAllows)->recipe));
 }
 
 TEST(Strategies, NamesAreUniqueAndFound) {

@@ -6,6 +6,7 @@
 
 #include "compiler/ir/reproducible.h"
 #include "compiler/strategies/build_package.h"
+#include "profiler/session/read_kinds.h"
 
 namespace reprise {
 
@@ -95,11 +96,10 @@ PlayedFrame LawScene::play(Player& player, int frame, std::uint32_t period, bool
     played.depth.resize(bytes.size() / 4);
     std::memcpy(played.depth.data(), bytes.data(), bytes.size());
   }
-  if (const auto kind = player.resource("kind")) {
-    const auto bytes = readback_->read(*commands_, {kind->image, kind->format, kind->extent, kind->layout}).value();
-    played.kind.resize(bytes.size());
-    std::memcpy(played.kind.data(), bytes.data(), bytes.size());
-    const auto counts = player.resource("counts");
+  PixelKinds told = readKinds(*readback_, *commands_, player).value();
+  played.kind = std::move(told.kind);
+  played.age = std::move(told.age);
+  if (const auto counts = player.resource("counts")) {
     const auto fragments = toFloats(readback_->read(*commands_, {counts->image, counts->format, counts->extent, counts->layout}).value(), counts->format);
     for (std::size_t at = 0; at < fragments.size(); at += 4) played.shaded_hits += fragments[at], played.shaded_misses += fragments[at + 1];
   }

@@ -19,6 +19,7 @@ struct PlayedFrame {
   std::vector<std::vector<float>> colors;  // by output: RGBA floats, exact for float formats, k/255 for 8 bits
   std::vector<std::vector<std::byte>> raw; // by output: the texels themselves
   std::vector<std::uint8_t> kind;          // 0 uncovered, 1 hit, 2 miss; empty for the original
+  std::vector<std::uint8_t> age;           // of aged variants (VariantOptions::aged), else empty
   double shaded_hits = 0, shaded_misses = 0;
   std::vector<float> depth;                // where the depth format can be read back
 };

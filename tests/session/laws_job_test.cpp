@@ -84,6 +84,15 @@ TEST_F(LawsJob, FindsNoDifferenceInAnyStrategy) {
   }
 }
 
+TEST_F(LawsJob, FindsNoDifferenceWhereAgesAreTold) {
+  VariantOptions aged = lawCopy("two_pass");
+  aged.aged = true;
+  const LawOutcome outcome = outcomeOf(scene_.variant("aged", aged), scene_);
+  EXPECT_FALSE(outcome.difference);
+  EXPECT_FALSE(outcome.rounding);
+  EXPECT_GT(outcome.frozen_hits, 0u);
+}
+
 TEST_F(LawsJob, TellsWhereMissesAreWrong) {
   const LawOutcome outcome = outcomeOf(spoiled("fragment_misses"), scene_);
   ASSERT_TRUE(outcome.difference);

@@ -138,6 +138,32 @@ TEST_F(MeasuredVariant, BatchesChangeNoRow) {
   for (const std::vector<ErrorRow>& rows : many->errors) EXPECT_EQ(rows, alone->errors.at(0));
 }
 
+// Those that compare ages are not among these metrics.
+TEST_F(MeasuredVariant, TellingAgesChangesNoRow) {
+  VariantOptions options = countingVariant();
+  options.aged = true;
+  Job job = errors(4);
+  job.entries.push_back({scene_.variant("aged", options), 4});
+  const Result<JobResult> result = run(job);
+  ASSERT_TRUE(result.ok()) << formatError(result.error());
+  EXPECT_GT(result->errors.at(1).back().hits, 0u);
+  EXPECT_EQ(result->errors.at(1), result->errors.at(0));
+}
+
+TEST_F(MeasuredVariant, TellingAgesChangesNoPicture) {
+  VariantOptions options = countingVariant();
+  options.aged = true;
+  const auto pictureOf = [&](const std::string& variant, const std::string& name) {
+    Job job = scene_.job(JobKind::kImages, {variant, 4});
+    job.image_frame = 5;
+    job.image_dir = (scene_.folder() / name).string();
+    std::filesystem::create_directories(job.image_dir);
+    EXPECT_TRUE(run(job).ok());
+    return textOf(std::filesystem::path(job.image_dir) / "hit_miss.png");
+  };
+  EXPECT_EQ(pictureOf(scene_.variant("aged", options), "aged_pictures"), pictureOf(variant_, "pictures"));
+}
+
 TEST_F(MeasuredVariant, TimesHaveARowForEveryEntryAndRound) {
   VariantOptions options = countingVariant();
   options.instrumented = false;

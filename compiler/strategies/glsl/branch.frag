@@ -5,6 +5,7 @@
 #include "cache.glsl"
 #include "history.glsl"
 #include "body.glsl"
+#include "age.glsl"
 #include "lookup.glsl"
 #if TAKES_DERIVATIVES
 #include "quad.glsl"

@@ -8,6 +8,9 @@ layout(location = PREVIOUS_LOCATION) in vec3 reprise_previous;
 #if !DEPTH_IN_ALPHA
 layout(set = REPRISE_SET, binding = 2 + TARGETS) uniform sampler2D reprise_history_depth;
 #endif
+#if AGE_BINDING
+layout(set = REPRISE_SET, binding = AGE_BINDING) uniform sampler2D reprise_history_age;
+#endif
 
 // texel: what the history holds, encoded; meaningless for a miss.
 // A hit has every guarded value that the pixel needs, from all of its taps (GUARDS_HOLD: by guards, which are 0 or 1 before filtering).
@@ -30,6 +33,10 @@ bool repriseLookup(out PAYLOAD_VEC texel[TARGETS]) {
   float tolerance = TOLERANCE.x + slope + TOLERANCE.z * expected;
 
   repriseFetch(at, texel);
+#if AGE_BINDING
+  // What is mixed of several texels has the age of the nearest.
+  reprise_age_of_hit = min(textureLod(reprise_history_age, at, 0.0).g + 1.0, 255.0);
+#endif
 #if NARROW
   float stored = texel[TARGETS - 1].g;
 #elif DEPTH_IN_ALPHA

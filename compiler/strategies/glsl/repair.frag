@@ -4,6 +4,7 @@
 #include "kept.glsl"
 #include "cache.glsl"
 #include "body.glsl"
+#include "age.glsl"
 #include "count.glsl"
 
 void main() {

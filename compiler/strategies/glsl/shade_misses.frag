@@ -3,6 +3,7 @@
 #include "decode.glsl"
 #include "cache.glsl"
 #include "body.glsl"
+#include "age.glsl"
 #include "count.glsl"
 
 void main() {

@@ -6,6 +6,7 @@
 #include "cache.glsl"
 #include "history.glsl"
 #include "body.glsl"
+#include "age.glsl"
 #include "lookup.glsl"
 #include "count.glsl"
 #include "keep.glsl"
