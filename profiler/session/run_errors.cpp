@@ -217,8 +217,8 @@ class ErrorRun {
     Judged worst;
     for (std::size_t i = 0; i < cached_.current.size(); ++i) {
       const MetricInputs inputs{.original = &original_.current[i], .cached = &cached_.current[i], .last_original = lastOf(original_, i),
-                                
-                                .mask = &mask_, .ages = ages_.empty() ? nullptr : &ages_, .flip_original = &flip_originals_[i]};
+                                .last_cached = lastOf(cached_, i), .mask = &mask_, .ages = ages_.empty() ? nullptr : &ages_,
+                                .flip_original = &flip_originals_[i]};
       const std::vector<float> tiles = metric.tiles ? metric.tiles(inputs) : std::vector<float>{};
       const double value = metric.tiles ? tailOf(tiles) : metric.evaluate(inputs);
       if (!(value <= worst.value)) worst.value = value;  // keeps a NaN, too
