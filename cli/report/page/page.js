@@ -8,7 +8,7 @@ function drawPage() {
   const run = readRun();
   const view = makeView(run);
   byId('report').hidden = false;
-  const sections = [drawHead, drawSlider, drawPick, drawTiles, drawAlerts, drawTradeoff, drawFits, drawSource, drawImages, drawTimes, drawPrediction, drawValidation, drawAttempts,
+  const sections = [drawHead, drawSlider, drawPick, drawTiles, drawAlerts, drawTradeoff, drawFits, drawSource, drawImages, drawTimes, drawPrediction, drawValidation, drawMetrics, drawAttempts,
     drawCandidates, drawFacts, drawStages];
   for (const draw of sections) {
     try {

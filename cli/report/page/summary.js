@@ -106,6 +106,23 @@ function drawPrediction(run) {
   ], rows));
 }
 
+// Each metric beside its threshold, where it has one.
+function drawMetrics(run) {
+  const metrics = run.metrics || [];
+  if (!metrics.length) return hide('metrics');
+  const allowed = new Map((run.thresholds || []).map((threshold) => [threshold.metric, threshold.value]));
+  byId('metrics-note').textContent = `Of ${run.isVariant ? 'the choice' : 'the last variant tried'}. Thresholds are held against the worst session. 0 is identical.`;
+  byId('metrics-table').append(table([
+    { title: 'Metric', cell: (metric) => metric.metric },
+    { title: 'All sessions', num: true, cell: (metric) => formatNumber(metric.all_sessions) },
+    { title: 'Worst session', num: true, cell: (metric) => formatNumber(metric.worst_session) },
+    { title: 'Worst frame', num: true, cell: (metric) => formatNumber(metric.worst_frame) },
+    { title: 'Allowed', num: true, cell: (metric) => (allowed.has(metric.metric) ? formatTick(allowed.get(metric.metric)) : '') },
+    { title: '', class: 'text', cell: (metric) => (!allowed.has(metric.metric) ? '' : metric.worst_session <= allowed.get(metric.metric)
+      ? html('span', { class: 'tag good' }, '✓ kept') : html('span', { class: 'tag bad' }, '✗ exceeded')) },
+  ], metrics));
+}
+
 function drawAttempts(run) {
   if (!run.attempts.length) return hide('attempts');
   const names = new Map(run.candidates.map((candidate) => [candidate.id, candidate.name]));
@@ -134,7 +151,9 @@ function drawFacts(run) {
     ['Scenario', scenario.path && [code(scenario.path), scenario.hash && html('div', { class: 'sub' }, code(scenario.hash))]],
     ['Fragment shader', shader.fragment && [code(shader.fragment), shader.hash && html('div', { class: 'sub' }, code(shader.hash))]],
     ['Vertex shader', code(shader.vertex)],
-    ['Threshold', `${formatTick(run.threshold.value)} ${run.threshold.metric}`],
+    [run.quality ? `Thresholds, quality ${run.quality}` : 'Thresholds',
+      (run.thresholds && run.thresholds.length ? run.thresholds : [run.threshold]).map((threshold) => html('div', {}, `${formatTick(threshold.value)} ${threshold.metric}`))],
+    ['Least gain', isNumber(run.least_gain) ? `${formatTick(run.least_gain)}×` : ''],
     ['Strategies refused', (run.strategies_refused || []).map((text) => html('div', {}, text))],
     ['Finished', run.finished_at || ''],
     ['Reprise', run.tool_version],
