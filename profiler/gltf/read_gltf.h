@@ -2,7 +2,8 @@
 //
 // Normals that are absent are those of the triangles; tangents that are absent and wanted by a normal map are MikkTSpace's
 // (tangents.h). Triangle strips and fans become triangles. Left out with a warning: points and lines, texture coordinates beyond the first,
-// morph targets beyond the kMorphTargets that move the most, joints beyond four a vertex. Files that belong to the model must lie in its folder or below.
+// morph targets beyond the kMorphTargets that move the most, joints beyond four a vertex,
+// extensions of materials (undrawn_extensions.h). Files that belong to the model must lie in its folder or below.
 #pragma once
 
 #include <filesystem>

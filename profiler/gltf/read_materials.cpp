@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "profiler/gltf/gltf_parts.h"
+#include "profiler/gltf/undrawn_extensions.h"
 
 namespace reprise {
 namespace {
@@ -73,7 +74,9 @@ Result<void> readMaterials(const tinygltf::Model& model, GltfScene& scene) {
     const tinygltf::PbrMetallicRoughness& pbr = from.pbrMetallicRoughness;
     GltfMaterial material;
     REPRISE_TRY(readFactors(from, where, material));
-    if (from.alphaMode == "BLEND") scene.warnings.push_back(where + ": blending is not done, the material is drawn opaque");
+    const std::string named = from.name.empty() ? where : where + " '" + from.name + "'";
+    for (std::string& warning : undrawnExtensions(from, named)) scene.warnings.push_back(std::move(warning));
+    if (from.alphaMode == "BLEND") scene.warnings.push_back(named + ": blending is not done, the material is drawn opaque");
     const auto map = [&](GltfTexture& texture, const TextureUse& use, const std::string& name) -> Result<void> {
       REPRISE_ASSIGN(texture, textureOf(model, use, where + "." + name, scene));
       return {};
