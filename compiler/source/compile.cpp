@@ -92,7 +92,7 @@ Result<CompiledShader> compileGlsl(std::string_view text, const std::string& nam
     // A file without a telling suffix may be a sound shader of the other stage.
     const ShaderStage other = stage == ShaderStage::kVertex ? ShaderStage::kFragment : ShaderStage::kVertex;
     if (stageOfName(name) || !translateGlsl(text, name, other, options)) return shader;
-    Error error = shader.error();
+    Error error = eachOf(shader.error()).front();
     error.code = "source.stage";
     error.message = std::string("found a ") + nameOf(other) + " shader; expected a " + nameOf(stage) +
                     " shader, as which it does not compile: " + error.message;

@@ -153,9 +153,7 @@ class Worker {
         return std::nullopt;
       }
       if (message.contains("result")) return Result<JobResult>(resultFrom(message.at("result")));
-      const nlohmann::json& error = message.at("error");
-      return Result<JobResult>(Error{static_cast<ErrorKind>(error.at("kind").get<int>()), error.at("code"), error.at("message"),
-                                     {error.at("file"), error.at("line"), error.at("column")}});
+      return Result<JobResult>(errorFrom(message.at("error")));
     } catch (const std::exception& failure) {
       return Result<JobResult>(Error{ErrorKind::kMeasurement, "worker.garbled", std::string("the measuring process said something that is no answer: ") + failure.what(), {}});
     }
