@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <iostream>
 #include <iterator>
 
 #include "compiler/source/glsl.h"
@@ -131,11 +130,9 @@ const char* nameOf(ShaderStage stage) {
 }
 
 Result<CompiledShader> compile(const std::filesystem::path& file, const CompileOptions& options) {
-  if (file == "-") {
-    const std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
-    return compileText(text, "-", options);
-  }
-  REPRISE_ASSIGN(const std::string bytes, readFile(file));
+  REPRISE_ASSIGN(const std::string bytes, file == "-" ? readStandardInput(file, kMostSpirvBytes) : readFile(file, kMostSpirvBytes));
+  const bool source = !looksLikeSpirv(bytes) && extensionOf(file) != ".spvasm";
+  if (source && bytes.size() > kMostShaderBytes) return tooLarge(file, bytes.size(), kMostShaderBytes);
   return compileText(bytes, file.string(), options);
 }
 

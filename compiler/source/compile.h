@@ -63,7 +63,7 @@ struct CompiledShader {
 
 // Reads and compiles a file; "-" is standard input. Errors, kInput where not said otherwise, with the place
 // where it is known:
-//   file.missing, file.unreadable
+//   those of readFile, of kMostShaderBytes, or kMostSpirvBytes for SPIR-V
 //   source.empty        no text or only white space and comments
 //   source.syntax       the first error of the compiler, with the further ones as its others
 //   source.include      an included file that is not there (names the directories searched) or a cycle; one that is there and

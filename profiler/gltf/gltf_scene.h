@@ -16,7 +16,7 @@ namespace reprise {
 
 // An encoded image as it lay in the file: PNG or JPEG.
 struct GltfImage {
-  std::string name;  // its JSON path, for messages
+  std::string name;  // its JSON path and its file, for messages
   std::string bytes;
 };
 

@@ -55,6 +55,7 @@ Result<void> readImages(const tinygltf::Model& model, GltfScene& scene) {
   for (std::size_t i = 0; i < model.images.size(); ++i) {
     const tinygltf::Image& from = model.images[i];
     GltfImage image{elementPath("images", i), std::string(from.image.begin(), from.image.end())};
+    if (!from.uri.empty() && !from.uri.starts_with("data:")) image.name += " ('" + from.uri + "')";
     if (from.bufferView >= 0) {
       REPRISE_ASSIGN(const ByteRange range, viewBytes(model, from.bufferView, image.name));
       image.bytes.assign(reinterpret_cast<const char*>(range.data), range.size);

@@ -182,6 +182,7 @@ struct TextureSpec {
   bool mipmaps = true;
   bool srgb = false;
   Place place;
+  Place file_place;     // kFile: where the file is named
   bool operator==(const TextureSpec&) const = default;
 };
 

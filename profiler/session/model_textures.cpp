@@ -27,11 +27,12 @@ ModelTexture chosen(const Scenario& scenario, const Object& object, const std::s
   if (texture.image < 0) return result;
   result.image = &scene.images[static_cast<std::size_t>(texture.image)];
   result.spec.kind = TextureKind::kFile;
-  result.spec.name = result.spec.path = result.image->name;
+  result.spec.name = result.image->name;
+  result.spec.path = scenario.models[object.part->model].path + ": " + result.image->name;
   result.spec.linear = texture.linear;
   result.spec.repeat = texture.repeat;
   result.spec.srgb = name == "base_color_map" || name == "emissive_map";
-  result.spec.place = scenario.models[object.part->model].place;
+  result.spec.place = result.spec.file_place = scenario.models[object.part->model].place;
   return result;
 }
 
