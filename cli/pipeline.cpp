@@ -28,6 +28,7 @@
 #include "compiler/emit/emit.h"
 #include "fitting/selection/next_turn.h"
 #include "profiler/metrics/metrics.h"
+#include "profiler/scenario/near_names.h"
 #include "runtime/base/file.h"
 
 namespace reprise {
@@ -57,9 +58,12 @@ Result<void> checkArguments(const OptimizeArguments& arguments) {
     return Error{ErrorKind::kUsage, "threshold.value",
                  fmt::format("--max-error is {}; it must be a number above 0, such as 0.02", arguments.max_error), {}};
   if (findMetric(arguments.metric) != nullptr) return {};
-  std::string known;
-  for (const Metric& metric : metrics()) known += (known.empty() ? "" : ", ") + metric.name;
-  return Error{ErrorKind::kUsage, "metric.unknown", "there is no metric '" + arguments.metric + "'; there are " + known, {}};
+  std::vector<std::string> known;
+  for (const Metric& metric : metrics()) known.push_back(metric.name);
+  const std::vector<std::string> near = nearNames(arguments.metric, known);
+  return Error{ErrorKind::kUsage, "metric.unknown",
+               fmt::format("there is no metric '{}'; there are {}{}", arguments.metric, fmt::join(known, ", "),
+                           near.empty() ? "" : "; did you mean '" + near.front() + "'?"), {}};
 }
 
 std::string utcNow() {
