@@ -33,6 +33,14 @@ std::atomic<bool> interrupt_seen{false};
 
 void onInterrupt(int) { interrupt_seen = true; }
 
+// For the commands that ask for `interrupt_seen`; the others end at once.
+void catchInterrupts() {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    const auto before = std::signal(number, onInterrupt);
+    if (number == SIGHUP && before == SIG_IGN) std::signal(number, SIG_IGN);  // nohup
+  }
+}
+
 int report(const Error& error, bool as_json) { return reportError(error, as_json, std::cerr); }
 
 struct Words {
@@ -304,7 +312,8 @@ int run(int argc, char** argv) {
     if (error.get_exit_code() == 0) return app.exit(error);
     return report(usageError(app, error, line), wantsJsonErrors(line));
   }
-  std::signal(SIGINT, onInterrupt);
+  for (const char* each : {"optimize", "emit", "validate", "check"})
+    if (app.got_subcommand(each)) catchInterrupts();
   std::string command = "reprise";
   for (const std::string& word : line) command += " " + word;
   if (app.got_subcommand("worker")) return runWorker();

@@ -103,7 +103,7 @@ class Worker {
   [[noreturn]] void becomeWorker(const std::string& path, pid_t parent) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (::getppid() != parent) ::_exit(1);
-    ::signal(SIGINT, SIG_IGN);  // the supervisor decides what an interrupt means
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) ::signal(number, SIG_IGN);  // the supervisor decides what an interrupt means
     ::dup2(input_.read, STDIN_FILENO);
     ::dup2(output_.write, STDOUT_FILENO);
     ::dup2(errors_.write, STDERR_FILENO);
