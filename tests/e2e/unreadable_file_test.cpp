@@ -80,6 +80,26 @@ TEST(UnreadableFile, ModelIsRefused) {
   expectRefusal(runSmall(optimizeCommand(scenario, scenario.file("pipe.gltf"))), kExitBadInput, {"pipe.bin", "a pipe"});
 }
 
+TEST(UnreadableFile, ImageOfAModelIsNamedWithItsModel) {
+  const SmallScenario scenario;
+  writeText(scenario.file("tiles.gltf"), R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}], "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
+    "textures": [{"source": 0}], "images": [{"uri": "tiles.png"}], "bufferViews": [{"buffer": 0, "byteLength": 36}],
+    "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}]})");
+  writeText(scenario.file("tiles.png"), "no image");
+  expectRefusal(runSmall(optimizeCommand(scenario, scenario.file("tiles.gltf"))), kExitBadInput,
+                {scenario.file("tiles.gltf").string() + ": error: ", "images[0] ('tiles.png')", "texture.format"});
+}
+
+TEST(UnreadableFile, RecordingIsRefusedWhereTheScenarioNamesIt) {
+  const SmallScenario scenario;
+  makePipe(scenario.file("walk.csv"));
+  scenario.replace(scenario.toml(), "orbit = { radius = 3.0, radians_per_frame = 0.02 }", "recorded = \"walk.csv\"");
+  const int line = SmallScenario::lineOf(scenario.toml(), "walk.csv");
+  expectRefusal(runSmall(optimizeCommand(scenario, scenario.toml())), kExitBadInput, {"small.toml:" + std::to_string(line) + ":", "file.not_regular", "walk.csv"});
+}
+
 TEST(UnreadableFile, ShaderAndWhatItIncludesAreRefused) {
   const SmallScenario scenario;
   const std::string analyze = std::string(REPRISE_EXECUTABLE) + " analyze ";
