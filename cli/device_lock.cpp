@@ -16,10 +16,10 @@ namespace reprise {
 namespace {
 
 constexpr std::chrono::milliseconds kPollInterval{200};
-constexpr std::size_t kMostHolderText = 300;
+constexpr std::size_t kMostHolderText = 300, kMostHolderBytes = 65536;
 
 std::string holderIn(const std::string& file) {
-  const Result<std::string> text = readFile(file);
+  const Result<std::string> text = readFile(file, kMostHolderBytes);
   if (!text.ok() || text->empty()) return "another process";
   std::string line = text->substr(0, std::min(text->find('\n'), kMostHolderText));
   for (char& c : line)

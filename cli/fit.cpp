@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/studied_periods.h"
 #include "fitting/solve/cost_design.h"
 
 namespace reprise {
@@ -101,8 +102,7 @@ FittedTraining fitTraining(const Subject& subject, const Training& training, con
     configuration.hit_rate = fitHits(errors);
     configuration.cost = fitCost(costPoints(errors, costs));
     configuration.fragments_per_frame = meanFragments(errors);
-    for (const std::uint32_t period : subject.scenario.periods) {
-      if (period == 1) continue;
+    for (const std::uint32_t period : selectablePeriods(subject.scenario)) {
       if (period == kNeverRefresh) {
         if (const auto never = neverError(errors, limits)) configuration.periods.push_back({period, never});
       } else {

@@ -5,10 +5,10 @@
 #include <cstdio>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <atomic>
 #include <filesystem>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "cli/check/reference/reference.h"
 #include "cli/check/run_modules.h"
@@ -20,7 +20,9 @@
 #include "cli/commands/play.h"
 #include "cli/pipeline.h"
 #include "cli/report/text.h"
+#include "cli/report_error.h"
 #include "cli/report_directory.h"
+#include "cli/usage.h"
 #include "cli/version.h"
 #include "profiler/metrics/metrics.h"
 #include "profiler/metrics/quality.h"
@@ -29,34 +31,19 @@
 namespace reprise {
 namespace {
 
-constexpr int kInputStatus = 1, kUsageStatus = 2, kMachineStatus = 3, kUndecidedStatus = 4, kInterruptedStatus = 130;
-
 std::atomic<bool> interrupt_seen{false};
 
 void onInterrupt(int) { interrupt_seen = true; }
 
-int statusOf(ErrorKind kind) {
-  switch (kind) {
-    case ErrorKind::kUsage: return kUsageStatus;
-    case ErrorKind::kMachine: return kMachineStatus;
-    case ErrorKind::kInterrupted: return kInterruptedStatus;
-    case ErrorKind::kInput:
-    case ErrorKind::kRefused:
-    case ErrorKind::kMeasurement: break;
+// For the commands that ask for `interrupt_seen`; the others end at once.
+void catchInterrupts() {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    const auto before = std::signal(number, onInterrupt);
+    if (number == SIGHUP && before == SIG_IGN) std::signal(number, SIG_IGN);  // nohup
   }
-  return kInputStatus;
 }
 
-int report(const Error& error, bool as_json) {
-  if (as_json) {
-    const nlohmann::json document = {{"code", error.code}, {"message", error.message}, {"file", error.place.file},
-                                     {"line", error.place.line}, {"column", error.place.column}};
-    std::cerr << document.dump() << '\n';
-  } else {
-    std::cerr << formatError(error) << '\n';
-  }
-  return statusOf(error.kind);
-}
+int report(const Error& error, bool as_json) { return reportError(error, as_json, std::cerr); }
 
 struct Words {
   bool quiet = false;
@@ -245,7 +232,7 @@ void addOptimize(CLI::App& app, Words& words) {
 
 void addAnalyze(CLI::App& app, Words& words) {
   CLI::App* command = app.add_subcommand("analyze", "list the values of a fragment shader that are worth caching, and why others are not");
-  command->add_option("shader", words.analyze.shader, "GLSL or SPIR-V, - for standard input")->required();
+  command->add_option("shader", words.analyze.shader, "GLSL, HLSL (.hlsl) or SPIR-V, - for standard input")->required();
   command->add_flag("--json", words.json, "JSON instead of text");
   command->add_flag("--all", words.analyze.all, "list the values that are no candidates one by one");
   command->add_flag("--annotate", words.analyze.annotate, "the source with the share of cost of each line and the candidates in the margin");
@@ -254,18 +241,18 @@ void addAnalyze(CLI::App& app, Words& words) {
   command->add_option("--std", words.analyze.compile.standard, "GLSL version, such as 450");
   command->add_option("--entry-point", words.analyze.compile.entry_point, "of SPIR-V with several")->capture_default_str();
   command->add_flag("--MD", words.write_dependencies, "write the included files as a make rule");
-  command->add_option("--MF", words.analyze.depfile, "file for --MD");
+  command->add_option("--MF", words.analyze.depfile, "file for -MD");
 }
 
 void addCheck(CLI::App& app, Words& words) {
   CLI::App* command = app.add_subcommand("check", "test the rewrites of shaders against their originals, on this device and made-up inputs");
-  command->add_option("shaders", words.check.shaders, "GLSL, SPIR-V, SPIR-V assembly (.spvasm), or directories of them")->required();
+  command->add_option("shaders", words.check.shaders, "GLSL, HLSL (.hlsl), SPIR-V, SPIR-V assembly (.spvasm), or directories of them")->required();
   command->add_flag("--json", words.json, "JSON instead of text");
-  command->add_option("--jobs,-j", words.check.jobs, "modules at once; 0: as many as there are cores")->check(CLI::NonNegativeNumber)->capture_default_str();
+  command->add_option("--jobs,-j", words.check.jobs, "modules at once; 0: as many as there are cores")->check(expectNotNegative)->capture_default_str();
   command->add_option("--seed", words.check.request.seed, "of the made-up inputs")->capture_default_str();
-  command->add_option("--candidates", words.check.request.candidates, "how many of the best ones")->check(CLI::PositiveNumber)->capture_default_str();
+  command->add_option("--candidates", words.check.request.candidates, "how many of the best ones")->check(expectPositive)->capture_default_str();
   command->add_option("--strategy", words.check.request.strategy, "only this one");
-  command->add_option("--timeout", words.check.module_timeout_s, "seconds for a module")->check(CLI::PositiveNumber)->capture_default_str();
+  command->add_option("--timeout", words.check.module_timeout_s, "seconds for a module")->check(expectPositive)->capture_default_str();
   command->add_option("-I", words.includes, "directory for #include")->allow_extra_args(false);
   command->add_option("-D", words.defines, "NAME or NAME=VALUE")->allow_extra_args(false);
   command->add_option("--entry-point", words.check.request.entry_point, "of SPIR-V with several")->capture_default_str();
@@ -295,24 +282,14 @@ void addEmit(CLI::App& app, Words& words) {
   command->add_flag("--verify", words.emit.verify, "compare the package with the original first, on a device; write nothing where they differ");
   command->add_flag("--M", words.emit.list_dependencies, "print what the package depends on as a make rule, and make nothing");
   command->add_flag("--MD", words.write_dependencies, "write that rule beside the output");
-  command->add_option("--MF", words.emit.depfile, "file for --MD");
+  command->add_option("--MF", words.emit.depfile, "file for -MD");
   command->add_option("--MT", words.emit.depfile_target, "target of the rule; else the output");
-}
-
-// glslc's spelling: -std=450, -MD, -MF FILE. CLI11 wants two dashes before longer words.
-std::vector<std::string> spelledForParser(int argc, char** argv) {
-  std::vector<std::string> words;
-  for (int i = argc - 1; i > 0; --i) {
-    const std::string word = argv[i];
-    const bool glslc = word.rfind("-std=", 0) == 0 || word == "-M" || word == "-MD" || word == "-MF" || word == "-MT";
-    words.push_back(glslc ? "-" + word : word);
-  }
-  return words;
 }
 
 int run(int argc, char** argv) {
   Words words;
-  CLI::App app("Reprise: caches the expensive part of a fragment shader from frame to frame, with measured error and gain");
+  CLI::App app("Reprise: caches the expensive part of a fragment shader from frame to frame, with measured error and gain", "reprise");
+  app.formatter(helpFormatter());
   app.set_version_flag("--version", versionText);
   app.require_subcommand(1);
   app.fallthrough();
@@ -328,7 +305,7 @@ int run(int argc, char** argv) {
   validate->add_option("directory", words.directory, "output of optimize; with --choice the scenario, that beside the choice if none is named");
   validate->add_option("--choice", words.committed.choice, "choice.json: measure it on the sources as they are now");
   validate->add_option("--cost-tolerance", words.committed.cost_tolerance, "how much more than recorded it may cost, as a share")
-      ->check(CLI::NonNegativeNumber)->capture_default_str();
+      ->check(expectNotNegative)->capture_default_str();
   validate->add_option("-o,--output", words.validate_output, "directory for what is measured of --choice; else a temporary one");
   CLI::App* report_command = app.add_subcommand("report", "write the report of an output directory again");
   report_command->add_option("directory", words.directory)->required();
@@ -339,15 +316,19 @@ int run(int argc, char** argv) {
   app.add_subcommand("worker", "")->group("");
   app.add_subcommand("check-worker", "")->group("");
   app.add_subcommand("check-reference", "")->group("");
+  const std::vector<std::string> line(argv + 1, argv + argc);
   try {
-    app.parse(spelledForParser(argc, argv));
+    std::vector<std::string> spelled = spelledForParser(line);
+    std::reverse(spelled.begin(), spelled.end());  // as CLI11 takes them
+    app.parse(spelled);
   } catch (const CLI::ParseError& error) {
-    const int status = app.exit(error);
-    return status == 0 ? 0 : kUsageStatus;
+    if (error.get_exit_code() == 0) return app.exit(error);
+    return report(usageError(app, error, line), wantsJsonErrors(line));
   }
-  std::signal(SIGINT, onInterrupt);
+  for (const char* each : {"optimize", "emit", "validate", "check"})
+    if (app.got_subcommand(each)) catchInterrupts();
   std::string command = "reprise";
-  for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
+  for (const std::string& word : line) command += " " + word;
   if (app.got_subcommand("worker")) return runWorker();
   if (app.got_subcommand("check-worker")) return runCheckWorker(executablePath());
   if (app.got_subcommand("check-reference")) return runReferenceWorker();

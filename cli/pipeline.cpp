@@ -21,6 +21,7 @@
 #include "cli/package_of_choice.h"
 #include "cli/report_directory.h"
 #include "cli/smear_warnings.h"
+#include "cli/studied_periods.h"
 #include "cli/subject.h"
 #include "cli/train.h"
 #include "cli/validate_choice.h"
@@ -257,6 +258,8 @@ Result<RunResult> optimize(const OptimizeArguments& arguments, Progress& progres
   limitTo(measured, subject);
   REPRISE_ASSIGN(const Workspace workspace, Workspace::open(arguments.output));
   REPRISE_TRY(copyInputs(subject, workspace.scenarioFile()));
+  const std::vector<std::string> short_sessions = shortSessionWarnings(subject.scenario);
+  for (const std::string& warning : short_sessions) progress.say(warning);
   RunResult result = describeSubject(subject, arguments, measured);
   StageClock clock(result, progress);
   clock.end("compile");
@@ -295,6 +298,7 @@ Result<RunResult> optimize(const OptimizeArguments& arguments, Progress& progres
 
   result.candidates = describeCandidates(subject, training, fitted, selection, options.limits);
   result.warnings = training.warnings;
+  result.warnings.insert(result.warnings.end(), short_sessions.begin(), short_sessions.end());
   for (const std::string& warning : costWarnings(training)) result.warnings.push_back(warning);
   for (const ModelSpec& model : subject.scenario.models)
     for (const std::string& warning : model.scene->warnings) result.warnings.push_back("model '" + model.name + "': " + warning);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "cli/probe_job.h"
 #include "cli/train.h"
@@ -12,6 +13,8 @@ namespace {
 
 constexpr int kProbeFrames = 12;
 constexpr float kPayloadMargin = 0.05f;
+// Stands for a far plane at infinity, in distances of the near plane: floats still tell depths apart by a hundredth of that distance.
+constexpr float kInfinityInNears = 1e6f;
 
 void merge(ProbeResult& all, const ProbeResult& probe) {
   for (std::size_t channel = 0; channel < kMostPayloadChannels; ++channel) {
@@ -63,8 +66,9 @@ ValueRanges unprobedRanges(const Subject& subject) {
   ranges.depth_near = 1e9f;
   ranges.depth_far = 0;
   for (const SessionSpec& session : subject.scenario.sessions) {
-    ranges.depth_near = std::min(ranges.depth_near, session.camera.near_plane);
-    ranges.depth_far = std::max(ranges.depth_far, session.camera.far_plane);
+    const Camera& camera = session.camera;
+    ranges.depth_near = std::min(ranges.depth_near, camera.near_plane);
+    ranges.depth_far = std::max(ranges.depth_far, std::isinf(camera.far_plane) ? kInfinityInNears * camera.near_plane : camera.far_plane);
   }
   // Orthographic history depth is clip z.
   if (subject.orthographic) ranges.depth_near = 0, ranges.depth_far = 1;

@@ -14,7 +14,7 @@ Result<std::vector<std::uint8_t>> readPicture(const std::filesystem::path& direc
   if (name.empty()) return std::vector<std::uint8_t>{};
   if (std::filesystem::path(name).filename() != name)
     return Error{ErrorKind::kInput, "evidence.invalid", "the picture '" + name + "' does not lie in the directory of the images", {}};
-  REPRISE_ASSIGN(const std::string bytes, readFile(directory / name));
+  REPRISE_ASSIGN(const std::string bytes, readFile(directory / name, kMostImageBytes));
   return std::vector<std::uint8_t>(bytes.begin(), bytes.end());
 }
 

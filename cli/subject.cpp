@@ -1,13 +1,18 @@
 #include "cli/subject.h"
 
 #include <algorithm>
+#include <set>
 
 #include "cli/motion.h"
 #include "cli/standard_shaders.h"
 #include "compiler/source/compile.h"
 #include "compiler/strategies/build_package.h"
+#include "profiler/gltf/read_gltf.h"
 #include "profiler/scenario/read_scenario.h"
+#include "profiler/scenario/texture_file.h"
 #include "profiler/scene/shared_inputs.h"
+#include "profiler/scene/texture.h"
+#include "profiler/session/model_textures.h"
 #include "runtime/base/file.h"
 #include "runtime/base/hash.h"
 
@@ -64,10 +69,24 @@ Result<void> copyModel(const std::filesystem::path& directory, ModelSpec& model)
   std::vector<std::string> files = model.scene->files;
   files.push_back(std::filesystem::path(model.path).filename().string());
   for (const std::string& file : files) {
-    REPRISE_ASSIGN(const std::string bytes, readFile(from / file));
+    REPRISE_ASSIGN(const std::string bytes, readFile(from / file, kMostGltfBytes));
     REPRISE_TRY(writeFile(directory / file, bytes));
   }
   model.path = (directory / files.back()).string();
+  return {};
+}
+
+// Told before the copies are made, of which nobody wants to hear.
+Result<void> expectImages(const Subject& subject) {
+  const Scenario& scenario = subject.scenario;
+  for (const TextureSpec& texture : scenario.textures)
+    if (texture.kind == TextureKind::kFile) REPRISE_TRY(buildTexture(texture));
+  std::vector<const ShaderInterface*> interfaces = {&subject.program.interface};
+  for (const Package& pass : subject.passes) interfaces.push_back(&pass.interface);
+  std::set<std::string> seen;
+  for (const ShaderInterface* interface : interfaces)
+    for (const ModelTexture& texture : listModelTextures(scenario, *interface).textures)
+      if (texture.image && seen.insert(texture.spec.path).second) REPRISE_TRY(decodeTexture(texture.spec, texture.image->bytes));
   return {};
 }
 
@@ -111,6 +130,7 @@ Result<Subject> readSubjectUnranked(const std::filesystem::path& scenario_file) 
 }
 
 Result<void> copyInputs(const Subject& subject, const std::filesystem::path& scenario_file) {
+  REPRISE_TRY(expectImages(subject));
   const std::filesystem::path directory = scenario_file.parent_path();
   Scenario copy = subject.scenario;
   copy.vertex_path = (directory / "vertex.spv").string();
@@ -123,7 +143,7 @@ Result<void> copyInputs(const Subject& subject, const std::filesystem::path& sce
   for (std::size_t i = 0; i < copy.textures.size(); ++i) {
     TextureSpec& texture = copy.textures[i];
     if (texture.kind != TextureKind::kFile) continue;
-    REPRISE_ASSIGN(const std::string bytes, readFile(texture.path));
+    REPRISE_ASSIGN(const std::string bytes, readTextureFile(texture));
     texture.path = (directory / (std::to_string(i) + "_" + std::filesystem::path(texture.path).filename().string())).string();
     REPRISE_TRY(writeFile(texture.path, bytes));
   }

@@ -55,7 +55,7 @@ void removeAbandoned(const fs::path& directory) {
 bool sameBytes(const fs::path& file, std::string_view bytes) {
   std::error_code status;
   if (!fs::is_regular_file(file, status) || fs::file_size(file, status) != bytes.size()) return false;
-  const Result<std::string> old = readFile(file);
+  const Result<std::string> old = readFile(file, bytes.size());
   return old.ok() && *old == bytes;
 }
 

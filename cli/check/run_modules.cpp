@@ -205,6 +205,7 @@ Result<std::vector<ModuleVerdict>> runModules(const std::vector<CheckRequest>& r
 }
 
 int runCheckWorker(const std::string& executable) {
+  belongToParent();
   // Drivers that print to standard output must not garble the answer.
   const int answers = ::dup(STDOUT_FILENO);
   ::dup2(STDERR_FILENO, STDOUT_FILENO);

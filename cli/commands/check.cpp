@@ -10,6 +10,7 @@
 
 #include "cli/check/run_modules.h"
 #include "compiler/strategies/strategy.h"
+#include "profiler/scenario/near_names.h"
 #include "runtime/vulkan/context.h"
 
 namespace reprise {
@@ -44,10 +45,10 @@ Result<std::vector<std::string>> filesOf(const std::vector<std::string>& named) 
 Result<void> checkStrategy(const std::string& name) {
   const Strategy* strategy = name.empty() ? nullptr : findStrategy(name);
   if (name.empty() || (strategy != nullptr && strategy->selectable)) return {};
-  std::string known;
+  std::vector<std::string> known;
   for (const Strategy& one : strategies())
-    if (one.selectable) known += (known.empty() ? "" : ", ") + one.name;
-  return Error{ErrorKind::kUsage, "strategy.unknown", "there is no strategy '" + name + "'; there are " + known, {}};
+    if (one.selectable) known.push_back(one.name);
+  return Error{ErrorKind::kUsage, "strategy.unknown", "there is no strategy '" + name + "'" + suggestNames(name, known), {}};
 }
 
 std::string lineOf(const ModuleVerdict& verdict) {

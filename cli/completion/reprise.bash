@@ -16,7 +16,7 @@ _reprise() {
     optimize) options="--quality --max --max-error --metric --min-gain --budget --output -o" ;;
     emit) options="--choice --output -o --header --name --on-stale --verify -M -MD -MF -MT" ;;
     validate) options="--choice --cost-tolerance --output -o" ;;
-    analyze) options="--json --all --annotate -I -D --std --entry-point -MD -MF" ;;
+    analyze) options="--json --all --annotate -I -D -std --entry-point -MD -MF" ;;
     check) options="--json --jobs -j --seed --candidates --strategy --timeout -I -D --entry-point" ;;
     play) options="--scenario --session --frames --period --original --png --hashes" ;;
     devices) options="--json" ;;

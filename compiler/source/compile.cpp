@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <iostream>
 #include <iterator>
 
 #include "compiler/source/glsl.h"
@@ -92,7 +91,7 @@ Result<CompiledShader> compileGlsl(std::string_view text, const std::string& nam
     // A file without a telling suffix may be a sound shader of the other stage.
     const ShaderStage other = stage == ShaderStage::kVertex ? ShaderStage::kFragment : ShaderStage::kVertex;
     if (stageOfName(name) || !translateGlsl(text, name, other, options)) return shader;
-    Error error = shader.error();
+    Error error = eachOf(shader.error()).front();
     error.code = "source.stage";
     error.message = std::string("found a ") + nameOf(other) + " shader; expected a " + nameOf(stage) +
                     " shader, as which it does not compile: " + error.message;
@@ -131,11 +130,9 @@ const char* nameOf(ShaderStage stage) {
 }
 
 Result<CompiledShader> compile(const std::filesystem::path& file, const CompileOptions& options) {
-  if (file == "-") {
-    const std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
-    return compileText(text, "-", options);
-  }
-  REPRISE_ASSIGN(const std::string bytes, readFile(file));
+  REPRISE_ASSIGN(const std::string bytes, file == "-" ? readStandardInput(file, kMostSpirvBytes) : readFile(file, kMostSpirvBytes));
+  const bool source = !looksLikeSpirv(bytes) && extensionOf(file) != ".spvasm";
+  if (source && bytes.size() > kMostShaderBytes) return tooLarge(file, bytes.size(), kMostShaderBytes);
   return compileText(bytes, file.string(), options);
 }
 

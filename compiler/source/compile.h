@@ -63,10 +63,11 @@ struct CompiledShader {
 
 // Reads and compiles a file; "-" is standard input. Errors, kInput where not said otherwise, with the place
 // where it is known:
-//   file.missing, file.unreadable
+//   those of readFile, of kMostShaderBytes, or kMostSpirvBytes for SPIR-V
 //   source.empty        no text or only white space and comments
-//   source.syntax       the first error of the compiler; further ones follow in the message, one a line
-//   source.include      an included file that is not there (names the directories searched) or a cycle
+//   source.syntax       the first error of the compiler, with the further ones as its others
+//   source.include      an included file that is not there (names the directories searched) or a cycle; one that is there and
+//                       cannot be read is an error of readFile at its #include
 //   source.stage        the stage cannot be told, is none of the two, or is not the one wanted (says both)
 //   source.standard     an unknown -std (kUsage)
 //   source.define       a -D whose name is no identifier or whose value has several lines (kUsage)

@@ -126,12 +126,6 @@ LoggedError readError(std::string_view text, std::span<const SourceFile> sources
   return logged;
 }
 
-std::string shown(const LoggedError& logged) {
-  if (logged.place.line == 0) return logged.text;
-  const std::string column = logged.place.column == 0 ? "" : ":" + std::to_string(logged.place.column);
-  return logged.place.file + ":" + std::to_string(logged.place.line) + column + ": " + logged.text;
-}
-
 }  // namespace
 
 Error errorOfLog(std::string_view log, const std::string& main_path, std::span<const SourceFile> sources) {
@@ -155,10 +149,10 @@ Error errorOfLog(std::string_view log, const std::string& main_path, std::span<c
   const auto placed = std::find_if(errors.begin(), errors.end(),
                                    [](const LoggedError& logged) { return logged.place.line > 0; });
   if (placed != errors.end()) std::rotate(errors.begin(), placed, placed + 1);
-  error.message = errors.front().text;
-  if (errors.front().place.line > 0) error.place = errors.front().place;
-  for (std::size_t i = 1; i < errors.size(); ++i) error.message += "\n" + shown(errors[i]);
-  return error;
+  std::vector<Error> found;
+  for (const LoggedError& logged : errors)
+    found.push_back({error.kind, error.code, logged.text, logged.place.line > 0 ? logged.place : error.place});
+  return mergeErrors(std::move(found));
 }
 
 }  // namespace reprise

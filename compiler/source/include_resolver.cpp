@@ -47,10 +47,11 @@ const SourceFile* IncludeResolver::open(const std::filesystem::path& path) {
       std::find_if(files_.begin(), files_.end(), [&](const SourceFile& file) { return file.path == name; });
   if (known == files_.end()) {
     std::error_code unknown;
-    if (!std::filesystem::is_regular_file(path, unknown)) return nullptr;
-    Result<std::string> text = readFile(path);
+    // A folder may bear the name of a file that lies elsewhere.
+    if (!std::filesystem::exists(path, unknown) || std::filesystem::is_directory(path, unknown)) return nullptr;
+    Result<std::string> text = readFile(path, kMostShaderBytes);
     if (!text) {
-      failure_ = Error{ErrorKind::kInput, "source.include", text.error().message, text.error().place};
+      failure_ = text.error();
       return nullptr;
     }
     files_.push_back({name, std::move(*text)});

@@ -33,7 +33,7 @@ class IncludeResolver {
 
   // Files in order of first inclusion, each once.
   const std::deque<SourceFile>& files() const { return files_; }
-  // The first include that failed, as source.include without a line.
+  // The first include that failed, without a line: source.include, or that of readFile.
   const std::optional<Error>& failure() const { return failure_; }
 
  private:

@@ -16,7 +16,7 @@ namespace reprise {
 
 // An encoded image as it lay in the file: PNG or JPEG.
 struct GltfImage {
-  std::string name;  // its JSON path, for messages
+  std::string name;  // its JSON path and its file, for messages
   std::string bytes;
 };
 
@@ -91,7 +91,7 @@ struct GltfCamera {
   bool orthographic = false;
   float fov_y_rad = 0.8f;      // perspective
   float height = 2;            // orthographic: of the view volume
-  float near_plane = 0.1f, far_plane = 100;
+  float near_plane = 0.1f, far_plane = 100;  // far: infinity where the file has none (perspective)
 };
 
 enum class GltfLightKind { kDirectional, kPoint, kSpot };

@@ -39,11 +39,8 @@ bool readWithin(std::vector<unsigned char>* out, std::string* message, const std
     return false;
   };
   if (!liesWithin(relative)) return refuse("lies outside the model's folder");
-  std::error_code status;
-  const std::uintmax_t size = fs::file_size(folder.root / relative, status);
-  if (status || size > kMostGltfBytes) return refuse(status ? "is not there" : "is too large");
-  const Result<std::string> bytes = readFile(folder.root / relative);
-  if (!bytes.ok()) return refuse("cannot be read");
+  const Result<std::string> bytes = readFile(folder.root / relative, kMostGltfBytes);
+  if (!bytes.ok()) return refuse("cannot be read: " + bytes.error().message);
   out->assign(bytes->begin(), bytes->end());
   if (std::find(folder.files.begin(), folder.files.end(), relative.generic_string()) == folder.files.end()) {
     folder.files.push_back(relative.generic_string());
@@ -59,7 +56,7 @@ bool isWithin(const std::string& name, void* user) {
     folder.refusal = "'" + name + "' lies outside the model's folder";
     return false;
   }
-  if (fs::is_regular_file(folder.root / name, status)) return true;
+  if (fs::exists(folder.root / name, status)) return true;
   folder.refusal = "there is no file '" + name + "'";
   return false;
 }
@@ -151,10 +148,7 @@ Result<GltfScene> readGltf(const fs::path& path) {
     error.place.file = path.string();
     return error;
   };
-  std::error_code status;
-  if (const std::uintmax_t size = fs::file_size(path, status); !status && size > kMostGltfBytes)
-    return placed(gltfError("limit", "the file", "it has " + std::to_string(size) + " bytes"));
-  REPRISE_ASSIGN(const std::string bytes, readFile(path));
+  REPRISE_ASSIGN(const std::string bytes, readFile(path, kMostGltfBytes));
   Folder folder{path.parent_path(), {}, {}, {}};
   Result<GltfScene> scene = sceneOf(bytes, folder);
   if (!scene.ok()) return placed(scene.error());

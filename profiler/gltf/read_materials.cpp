@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "profiler/gltf/gltf_parts.h"
+#include "profiler/gltf/undrawn_extensions.h"
 
 namespace reprise {
 namespace {
@@ -54,6 +55,7 @@ Result<void> readImages(const tinygltf::Model& model, GltfScene& scene) {
   for (std::size_t i = 0; i < model.images.size(); ++i) {
     const tinygltf::Image& from = model.images[i];
     GltfImage image{elementPath("images", i), std::string(from.image.begin(), from.image.end())};
+    if (!from.uri.empty() && !from.uri.starts_with("data:")) image.name += " ('" + from.uri + "')";
     if (from.bufferView >= 0) {
       REPRISE_ASSIGN(const ByteRange range, viewBytes(model, from.bufferView, image.name));
       image.bytes.assign(reinterpret_cast<const char*>(range.data), range.size);
@@ -73,7 +75,9 @@ Result<void> readMaterials(const tinygltf::Model& model, GltfScene& scene) {
     const tinygltf::PbrMetallicRoughness& pbr = from.pbrMetallicRoughness;
     GltfMaterial material;
     REPRISE_TRY(readFactors(from, where, material));
-    if (from.alphaMode == "BLEND") scene.warnings.push_back(where + ": blending is not done, the material is drawn opaque");
+    const std::string named = from.name.empty() ? where : where + " '" + from.name + "'";
+    for (std::string& warning : undrawnExtensions(from, named)) scene.warnings.push_back(std::move(warning));
+    if (from.alphaMode == "BLEND") scene.warnings.push_back(named + ": blending is not done, the material is drawn opaque");
     const auto map = [&](GltfTexture& texture, const TextureUse& use, const std::string& name) -> Result<void> {
       REPRISE_ASSIGN(texture, textureOf(model, use, where + "." + name, scene));
       return {};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
+#include <limits>
 
 #include "profiler/gltf/gltf_parts.h"
 #include "profiler/gltf/read_gltf.h"
@@ -163,10 +164,9 @@ Result<void> readCameras(const tinygltf::Model& model, GltfScene& scene) {
     } else {
       camera.fov_y_rad = static_cast<float>(from.perspective.yfov);
       camera.near_plane = static_cast<float>(from.perspective.znear);
-      // A far plane that is absent lies at infinity.
-      camera.far_plane = static_cast<float>(from.perspective.zfar > 0 ? from.perspective.zfar : 1e4 * from.perspective.znear);
+      camera.far_plane = from.perspective.zfar > 0 ? static_cast<float>(from.perspective.zfar) : std::numeric_limits<float>::infinity();
     }
-    const bool sound = camera.near_plane >= 0 && camera.far_plane > camera.near_plane && camera.far_plane < 1e30f &&
+    const bool sound = camera.near_plane >= 0 && camera.far_plane > camera.near_plane && (camera.far_plane < 1e30f || (std::isinf(camera.far_plane) && !camera.orthographic)) &&
                        (camera.orthographic ? camera.height > 0 : camera.near_plane > 0 && camera.fov_y_rad > 0 && camera.fov_y_rad < 3.1f);
     if (!sound) return gltfError("value", elementPath("cameras", c), "its angle, size or planes make no sense");
     scene.cameras.push_back(camera);

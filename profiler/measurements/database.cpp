@@ -46,6 +46,11 @@ void Statement::Finalizer::operator()(sqlite3_stmt* handle) const {
 }
 
 Result<Database> Database::open(const std::filesystem::path& path) {
+  std::error_code unknown;
+  const std::filesystem::file_type type = std::filesystem::status(path, unknown).type();
+  const bool opens = type == std::filesystem::file_type::not_found || type == std::filesystem::file_type::regular || type == std::filesystem::file_type::directory;
+  if (!opens && !unknown)  // SQLite itself tells of a folder
+    return Error{ErrorKind::kInput, "file.not_regular", "the store '" + path.string() + "' is no regular file; move it away to measure anew", {path.string(), 0, 0}};
   sqlite3* handle = nullptr;
   const int status =
       sqlite3_open_v2(path.c_str(), &handle, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_EXRESCODE, nullptr);

@@ -206,6 +206,8 @@ Store::Store(Store&&) noexcept = default;
 Store& Store::operator=(Store&&) noexcept = default;
 Store::~Store() = default;
 
+const std::filesystem::path& Store::path() const { return state_->database.path(); }
+
 Result<Store> Store::open(const std::filesystem::path& path) {
   std::error_code made;  // a directory that cannot be made shows in opening the file
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), made);

@@ -25,7 +25,7 @@ struct FailureRow {
 class Store {
  public:
   // Opens or makes the file; waits up to 10 s for another writer. Errors: store.unwritable, store.corrupt (kMachine),
-  // store.version (made by a newer version; kInput).
+  // store.version (made by a newer version; kInput), file.not_regular (kInput).
   static Result<Store> open(const std::filesystem::path& path);
   Store(Store&&) noexcept;
   Store& operator=(Store&&) noexcept;
@@ -45,6 +45,7 @@ class Store {
   Result<std::vector<TimeRow>> times(const SeriesKey& key) const;   // all runs, in the order appended
   Result<std::optional<FailureRow>> failure(const SeriesKey& key) const;
   Result<std::optional<std::string>> text(const std::string& key) const;
+  const std::filesystem::path& path() const;
 
  private:
   struct State;

@@ -301,7 +301,7 @@ Result<void> checkBindings(const Scenario& scenario, const ShaderInterface& inte
   checkNamedInputs(scenario, interfaces, diagnostics);
   checkOutputs(scenario, interface, diagnostics);
   if (diagnostics.errors.empty()) return {};
-  return mergeErrors(diagnostics);
+  return mergeErrors(std::move(diagnostics.errors));
 }
 
 }  // namespace reprise

@@ -17,12 +17,4 @@ void sortByPlace(Diagnostics& diagnostics) {
   });
 }
 
-Error mergeErrors(const Diagnostics& diagnostics) {
-  REPRISE_CHECK(!diagnostics.errors.empty(), "there is no error to report");
-  Error first = diagnostics.errors.front();
-  for (std::size_t i = 1; i < diagnostics.errors.size(); ++i)
-    first.message += "\n" + formatError(diagnostics.errors[i]);
-  return first;
-}
-
 }  // namespace reprise

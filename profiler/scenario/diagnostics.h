@@ -22,7 +22,4 @@ struct Diagnostics {
 // By line and column; what has no line comes last.
 void sortByPlace(Diagnostics& diagnostics);
 
-// The first error; the others follow in its message, one a line. There must be one.
-Error mergeErrors(const Diagnostics& diagnostics);
-
 }  // namespace reprise

@@ -1,5 +1,8 @@
 #include "profiler/scenario/read_camera.h"
 
+#include <cmath>
+#include <limits>
+
 #include "profiler/scenario/read_motion.h"
 #include "profiler/scenario/read_recording.h"
 
@@ -75,6 +78,19 @@ CameraPath readCameraPath(TableReader& reader, const std::filesystem::path& dire
   return readEyeAndTarget(reader);
 }
 
+// Only where lines meet in the eye does a far plane at infinity have a limit.
+void readFar(TableReader& reader, Camera& camera) {
+  const TomlNode* node = reader.find("far");
+  const bool infinite = node && node->kind == NodeKind::kFloat && std::isinf(node->real) && node->real > 0;
+  if (!infinite) {
+    reader.readNumber("far", camera.far_plane, camera.orthographic ? kAnyNumber : kPositive);
+  } else if (camera.orthographic) {
+    reader.diagnostics().add("value", "'far' of " + reader.what() + " is inf, which an orthographic camera cannot have; expected a number", node->place);
+  } else {
+    camera.far_plane = std::numeric_limits<float>::infinity();
+  }
+}
+
 void readLens(TableReader& reader, Camera& camera) {
   reader.readBoolean("orthographic", camera.orthographic);
   if (camera.orthographic) {
@@ -83,7 +99,7 @@ void readLens(TableReader& reader, Camera& camera) {
     reader.readNumber("fov_y_deg", camera.fov_y_deg, {0, 170, true});
   }
   reader.readNumber("near", camera.near_plane, camera.orthographic ? kAnyNumber : kPositive);
-  reader.readNumber("far", camera.far_plane, camera.orthographic ? kAnyNumber : kPositive);
+  readFar(reader, camera);
   if (camera.far_plane <= camera.near_plane) {
     reader.diagnostics().add("value",
                              "'far' of " + reader.what() + " does not lie behind 'near': " + std::to_string(camera.far_plane) +

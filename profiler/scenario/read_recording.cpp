@@ -39,7 +39,8 @@ std::vector<RecordingRow> rowsOfArray(const TomlNode& node, const std::string& w
 
 std::vector<RecordingRow> rowsOfFile(const TomlNode& node, const std::filesystem::path& directory, Diagnostics& diagnostics) {
   const std::filesystem::path path = resolvePath(node, directory, false, diagnostics);
-  if (diagnostics.full() || !std::filesystem::is_regular_file(path)) return {};
+  std::error_code unknown;
+  if (diagnostics.full() || !std::filesystem::exists(path, unknown) || std::filesystem::is_directory(path, unknown)) return {};
   const std::string extension = path.extension().string();
   if (extension != ".csv" && extension != ".json") {
     diagnostics.add("recording", "'" + path.string() + "' ends in '" + extension + "', expected .csv or .json", node.place);
@@ -47,7 +48,7 @@ std::vector<RecordingRow> rowsOfFile(const TomlNode& node, const std::filesystem
   }
   const Result<std::string> text = readFile(path);
   if (!text) {
-    diagnostics.add("missing_file", text.error().message, node.place);
+    diagnostics.errors.push_back({text.error().kind, text.error().code, text.error().message, node.place});
     return {};
   }
   return extension == ".csv" ? rowsOfCsv(*text, path.string(), diagnostics) : rowsOfJson(*text, path.string(), diagnostics);

@@ -156,7 +156,7 @@ Result<Scenario> readScenario(const fs::path& path) {
   Diagnostics diagnostics;
   readRoot(document, absolute.parent_path(), scenario, diagnostics);
   sortByPlace(diagnostics);
-  if (!diagnostics.errors.empty()) return mergeErrors(diagnostics);
+  if (!diagnostics.errors.empty()) return mergeErrors(std::move(diagnostics.errors));
   REPRISE_TRY(loadModels(scenario));
   REPRISE_TRY(placeModelCameras(scenario));
   REPRISE_ASSIGN(scenario.hash, hashScenario(scenario));

@@ -341,6 +341,7 @@ TextureSpec readTexture(const TomlNode& node, const fs::path& directory, Diagnos
   if (diagnostics.errors.size() != errors_before) return texture;
   if (texture.kind == TextureKind::kFile) {
     texture.path = readPath(reader, "file", directory);
+    texture.file_place = reader.find("file")->place;
   } else if (texture.kind == TextureKind::kDiscs) {
     texture.linear = texture.repeat = texture.mipmaps = false;
     readDiscs(reader, texture);

@@ -73,7 +73,7 @@ struct Camera {
   bool orthographic = false;
   float fov_y_deg = 45;       // perspective
   float ortho_height = 4;     // orthographic: height of the view volume
-  float near_plane = 0.1f, far_plane = 100;
+  float near_plane = 0.1f, far_plane = 100;  // far: infinity where perspective
   bool reverse_z = false;
   std::optional<Handheld> handheld = {};
   std::vector<CameraCut> cuts = {};  // times rise strictly
@@ -182,6 +182,7 @@ struct TextureSpec {
   bool mipmaps = true;
   bool srgb = false;
   Place place;
+  Place file_place;     // kFile: where the file is named
   bool operator==(const TextureSpec&) const = default;
 };
 

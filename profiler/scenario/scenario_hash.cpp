@@ -1,7 +1,7 @@
 #include "profiler/scenario/scenario_hash.h"
 
 #include "profiler/scenario/read_scenario.h"
-#include "runtime/base/file.h"
+#include "profiler/scenario/texture_file.h"
 #include "runtime/base/hash.h"
 
 namespace reprise {
@@ -14,7 +14,7 @@ Result<std::string> hashScenario(const Scenario& scenario) {
   bare.include_dirs.clear();
   for (TextureSpec& texture : bare.textures) {
     if (texture.kind != TextureKind::kFile) continue;
-    REPRISE_ASSIGN(const std::string bytes, readFile(texture.path));
+    REPRISE_ASSIGN(const std::string bytes, readTextureFile(texture));
     texture.path = contentHash(bytes);
   }
   for (PassSpec& pass : bare.passes) {

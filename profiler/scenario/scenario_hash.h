@@ -7,7 +7,7 @@
 
 namespace reprise {
 
-// As Scenario::hash says. Errors: file.missing, file.unreadable of a texture.
+// As Scenario::hash says. Errors: those of readTextureFile.
 Result<std::string> hashScenario(const Scenario& scenario);
 
 }  // namespace reprise

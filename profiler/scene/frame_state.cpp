@@ -1,5 +1,6 @@
 #include "profiler/scene/frame_state.h"
 
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
@@ -20,6 +21,10 @@ glm::mat4 projectionMatrix(const Camera& camera, float fov_y_deg, float aspect) 
     projection = glm::orthoRH_ZO(-half_width, half_width, -half_height, half_height, first, last);
   } else {
     projection = glm::perspectiveRH_ZO(glm::radians(fov_y_deg), aspect, first, last);
+    if (std::isinf(camera.far_plane)) {  // the limit of the same two elements
+      projection[2][2] = camera.reverse_z ? 0.0f : -1.0f;
+      projection[3][2] = camera.reverse_z ? camera.near_plane : -camera.near_plane;
+    }
   }
   for (int column = 0; column < 4; ++column) projection[column][1] = -projection[column][1];
   return projection;

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
 #include <memory>
 
 #include <stb/stb_image.h>
 
 #include "profiler/scenario/names.h"
+#include "profiler/scenario/texture_file.h"
 #include "profiler/scene/lattice_noise.h"
-#include "runtime/base/file.h"
 
 namespace reprise {
 namespace {
@@ -84,7 +83,7 @@ Error undecodable(const TextureSpec& spec, const std::string& reason) {
   return {ErrorKind::kInput, "texture.format",
           "texture '" + spec.name + "': '" + spec.path + "' cannot be decoded (" + reason +
               "), expected a PNG, JPEG or HDR file",
-          spec.place};
+          spec.file_place};
 }
 
 struct StbFree {
@@ -118,12 +117,7 @@ Result<TextureImage> decode(const TextureSpec& spec, const stbi_uc* bytes, int b
 }
 
 Result<TextureImage> loadTexture(const TextureSpec& spec) {
-  std::error_code status;
-  if (!std::filesystem::exists(spec.path, status)) {
-    return Error{ErrorKind::kInput, "texture.missing",
-                 "texture '" + spec.name + "': there is no file '" + spec.path + "'", spec.place};
-  }
-  REPRISE_ASSIGN(const std::string content, readFile(spec.path));
+  REPRISE_ASSIGN(const std::string content, readTextureFile(spec));
   return decodeTexture(spec, content);
 }
 

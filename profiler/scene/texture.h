@@ -19,7 +19,7 @@ struct TextureImage {
   std::vector<float> rgba;          // width * height * 4
 };
 
-// All kinds but discs (disc_texture.h). Errors (kInput): texture.missing, texture.format (not a PNG, JPEG or HDR that can be decoded).
+// All kinds but discs (disc_texture.h). Errors (kInput): those of readTextureFile, texture.format (not a PNG, JPEG or HDR that can be decoded).
 Result<TextureImage> buildTexture(const TextureSpec& spec);
 
 // The same from the bytes of a PNG, JPEG or HDR file; spec names them in messages.

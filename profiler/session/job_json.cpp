@@ -107,6 +107,19 @@ JobResult resultFrom(const json& from) {
   return result;
 }
 
+json errorJson(const Error& error) {
+  json others = json::array();
+  for (const Error& other : error.others) others.push_back(errorJson(other));
+  return {{"kind", static_cast<int>(error.kind)}, {"code", error.code}, {"message", error.message}, {"file", error.place.file},
+          {"line", error.place.line}, {"column", error.place.column}, {"others", std::move(others)}};
+}
+
+Error errorFrom(const json& from) {
+  Error error{static_cast<ErrorKind>(from.at("kind").get<int>()), from.at("code"), from.at("message"), {from.at("file"), from.at("line"), from.at("column")}};
+  for (const json& other : from.at("others")) error.others.push_back(errorFrom(other));
+  return error;
+}
+
 std::string jobToJson(const Job& job) { return json(job).dump(); }
 
 Result<Job> jobFromJson(const std::string& text) {

@@ -10,4 +10,7 @@ namespace reprise {
 nlohmann::json resultJson(const JobResult& result);
 JobResult resultFrom(const nlohmann::json& from);
 
+nlohmann::json errorJson(const Error& error);
+Error errorFrom(const nlohmann::json& from);
+
 }  // namespace reprise

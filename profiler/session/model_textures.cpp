@@ -20,18 +20,21 @@ GltfTexture textureOf(const GltfMaterial& material, const std::string& name) {
 ModelTexture chosen(const Scenario& scenario, const Object& object, const std::string& name) {
   ModelTexture result{defaultTexture(name), nullptr};
   if (!object.part || !isMaterialTexture(name)) return result;
-  const GltfScene& scene = *scenario.models[object.part->model].scene;
+  const ModelSpec& model = scenario.models[object.part->model];
+  const GltfScene& scene = *model.scene;
   const int material = primitiveOf(scene, scene.instances[object.part->instance]).material;
   if (material < 0) return result;
   const GltfTexture texture = textureOf(scene.materials[static_cast<std::size_t>(material)], name);
   if (texture.image < 0) return result;
   result.image = &scene.images[static_cast<std::size_t>(texture.image)];
   result.spec.kind = TextureKind::kFile;
-  result.spec.name = result.spec.path = result.image->name;
+  result.spec.name = result.image->name;
+  result.spec.path = model.path + ": " + result.image->name;
   result.spec.linear = texture.linear;
   result.spec.repeat = texture.repeat;
   result.spec.srgb = name == "base_color_map" || name == "emissive_map";
-  result.spec.place = scenario.models[object.part->model].place;
+  result.spec.place = model.place;
+  result.spec.file_place = {model.path, 0, 0};
   return result;
 }
 

@@ -113,7 +113,7 @@ class LawRun {
   Result<void> compare(const char* law, int frame, const Played& played, double tolerance, LawOutcome& outcome) const {
     for (std::size_t output = 0; output < played.colors.size(); ++output) {
       const std::filesystem::path file = referenceFile(job_.reference_dir, frame, output);
-      REPRISE_ASSIGN(const Words expected, readWords(file));
+      REPRISE_ASSIGN(const Words expected, readWords(file, kMostFrameBytes));
       if (expected.size() != played.colors[output].size())
         return Error{ErrorKind::kInput, "job.reference", "'" + file.string() + "' is of another size than the frames that are compared with it", {}};
       compareOutput({law, frame, output, tolerance}, expected, played, outcome);

@@ -107,7 +107,7 @@ class Worker {
   [[noreturn]] void becomeWorker(const std::string& path, pid_t parent) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (::getppid() != parent) ::_exit(1);
-    ::signal(SIGINT, SIG_IGN);  // the supervisor decides what an interrupt means
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) ::signal(number, SIG_IGN);  // the supervisor decides what an interrupt means
     ::dup2(input_.read, STDIN_FILENO);
     ::dup2(output_.write, STDOUT_FILENO);
     ::dup2(errors_.write, STDERR_FILENO);
@@ -157,9 +157,7 @@ class Worker {
         return std::nullopt;
       }
       if (message.contains("result")) return Result<JobResult>(resultFrom(message.at("result")));
-      const nlohmann::json& error = message.at("error");
-      return Result<JobResult>(Error{static_cast<ErrorKind>(error.at("kind").get<int>()), error.at("code"), error.at("message"),
-                                     {error.at("file"), error.at("line"), error.at("column")}});
+      return Result<JobResult>(errorFrom(message.at("error")));
     } catch (const std::exception& failure) {
       return Result<JobResult>(Error{ErrorKind::kMeasurement, "worker.garbled", std::string("the measuring process said something that is no answer: ") + failure.what(), {}});
     }

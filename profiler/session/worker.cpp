@@ -1,5 +1,5 @@
 // The worker's side of the pipe. One JSON object a line on standard output: {"progress": [done, total]}, then {"result": ...} or
-// {"error": {kind, code, message}}.
+// {"error": ...}.
 #include <malloc.h>
 #include <unistd.h>
 
@@ -67,9 +67,7 @@ int runWorker() {
     answers.say({{"result", resultJson(*result)}});
     return 0;
   }
-  const Error& error = result.error();
-  answers.say({{"error", {{"kind", static_cast<int>(error.kind)}, {"code", error.code}, {"message", error.message},
-                          {"file", error.place.file}, {"line", error.place.line}, {"column", error.place.column}}}});
+  answers.say({{"error", errorJson(result.error())}});
   return 1;
 }
 

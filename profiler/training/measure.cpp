@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "profiler/metrics/metrics.h"
 #include "runtime/base/hash.h"
 
 namespace reprise {
 namespace {
+
+constexpr double kRounding = 1e-6;
 
 SeriesKey keyOf(const Measuring& measuring, const std::string& session, const SeriesRequest& request) {
   SeriesKey key = measuring.base;
@@ -95,6 +98,20 @@ Result<bool> loadRun(const Measuring& measuring, const TimingPlan& plan, const s
   return true;
 }
 
+// Metrics lie in [0, 1] (metrics.h), but for the rounding of their sums. One that is no number comes of pixels that are not finite, be they of
+// the frame before.
+Result<void> expectPossible(const std::vector<ErrorRow>& rows, const std::filesystem::path& store) {
+  const bool all_finite = std::all_of(rows.begin(), rows.end(), [](const ErrorRow& row) { return row.nonfinite == 0; });
+  for (const ErrorRow& row : rows)
+    for (const auto& [metric, value] : row.errors) {
+      if ((value >= 0 && value <= 1 + kRounding) || (std::isnan(value) && !all_finite)) continue;
+      return Error{ErrorKind::kMachine, "store.corrupt",
+                   "the store " + store.string() + " is damaged: it holds " + metric + " = " + std::to_string(value) + " of frame " + std::to_string(row.frame) +
+                       ", which no measurement gives; move it away to measure anew", {}};
+    }
+  return {};
+}
+
 }  // namespace
 
 Result<std::vector<ErrorSeries>> measureErrors(const Measuring& measuring, const std::string& session,
@@ -106,6 +123,7 @@ Result<std::vector<ErrorSeries>> measureErrors(const Measuring& measuring, const
     const SeriesKey key = errorKeyOf(measuring, session, requests[i]);
     REPRISE_ASSIGN(auto rows, measuring.store->errors(key));
     if (rows) {
+      REPRISE_TRY(expectPossible(*rows, measuring.store->path()));
       series[i].rows = std::move(*rows);
       continue;
     }

@@ -1,8 +1,11 @@
 #include "runtime/base/result.h"
 
-namespace reprise {
+#include <iterator>
 
-std::string formatError(const Error& error) {
+namespace reprise {
+namespace {
+
+std::string lineOf(const Error& error) {
   std::string text;
   if (!error.place.file.empty()) {
     text += error.place.file + ":";
@@ -13,6 +16,27 @@ std::string formatError(const Error& error) {
   text += "error: " + error.message;
   if (!error.code.empty()) text += " [" + error.code + "]";
   return text;
+}
+
+}  // namespace
+
+std::string formatError(const Error& error) {
+  std::string text = lineOf(error);
+  for (const Error& other : error.others) text += "\n" + lineOf(other);
+  return text;
+}
+
+std::vector<Error> eachOf(const Error& error) {
+  std::vector<Error> errors = {{error.kind, error.code, error.message, error.place}};
+  errors.insert(errors.end(), error.others.begin(), error.others.end());
+  return errors;
+}
+
+Error mergeErrors(std::vector<Error> errors) {
+  REPRISE_CHECK(!errors.empty(), "there is no error to report");
+  Error first = std::move(errors.front());
+  first.others.insert(first.others.end(), std::make_move_iterator(errors.begin() + 1), std::make_move_iterator(errors.end()));
+  return first;
 }
 
 }  // namespace reprise

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "runtime/base/check.h"
 
@@ -36,10 +37,17 @@ struct Error {
   std::string code;     // stable, dotted, for scripts: "scenario.unknown_key", "source.syntax", "package.tampered"
   std::string message;  // one sentence or two: found, expected, what to do
   Place place;
+  std::vector<Error> others = {};  // found together with this one, each whole and without others of its own
 };
 
-// "file:line:column: error: message [code]", leaving out what is unknown. The form of glslc and GCC.
+// "file:line:column: error: message [code]", leaving out what is unknown. The form of glslc and GCC. The others follow, a line each.
 std::string formatError(const Error& error);
+
+// The error itself, without its others, and then those.
+std::vector<Error> eachOf(const Error& error);
+
+// The first of them with the rest as its others. There must be one.
+Error mergeErrors(std::vector<Error> errors);
 
 template <typename T>
 class [[nodiscard]] Result {

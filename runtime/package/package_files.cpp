@@ -113,7 +113,7 @@ Result<Package> readPackage(const std::filesystem::path& directory) {
   std::error_code status;
   if (!std::filesystem::exists(file, status))
     return manifestError(file, "package.missing", "there is no package in '" + directory.string() + "' (no manifest.json)");
-  return readFrom([&](const std::string& name) { return readFile(directory / name); }, directory);
+  return readFrom([&](const std::string& name) { return readFile(directory / name, name == kManifest ? kMostTextBytes : kMostSpirvBytes); }, directory);
 }
 
 Result<Package> readEmbeddedPackage(std::span<const EmbeddedFile> files) {

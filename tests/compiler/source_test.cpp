@@ -129,7 +129,7 @@ TEST(Source, RefusesTextsWithoutCode) {
 TEST(Source, RefusesMissingFilesAndDirectories) {
   const ScratchDirectory scratch;
   EXPECT_EQ(errorOf(compile(scratch.path() / "none.frag", {})).code, "file.missing");
-  EXPECT_EQ(errorOf(compile(scratch.path(), {})).code, "file.unreadable");
+  EXPECT_EQ(errorOf(compile(scratch.path(), {})).code, "file.not_regular");
 }
 
 TEST(Source, RefusesNulBytesWithTheirPlace) {

@@ -1,7 +1,5 @@
-// What the machine or the user does to a run: no device, a full disk, Ctrl-C, a second run on the same
-// output.
+// What the machine or the user does to a run: no device, a full disk, a second run on the same output.
 #include <gtest/gtest.h>
-#include <signal.h>
 
 #include <filesystem>
 #include <string>
@@ -89,21 +87,6 @@ TEST_P(SmallDisk, EndsTheRunWithoutAResult) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, SmallDisk, testing::Values("64k", "400k"));
-
-TEST(Interrupted, RunEndsSoonAndCanBeTakenUpAgain) {
-  const SmallScenario scenario;
-  Command run(optimizeSmall(scenario));
-  ASSERT_TRUE(waitForMeasurements(run, scenario.output())) << run.wait().all();
-  run.signalGroup(SIGINT);
-  const CommandOutcome interrupted = run.wait();
-  EXPECT_NE(interrupted.status, kExitDone);
-  EXPECT_LT(interrupted.status, 128 + SIGTERM) << "the run did not end by itself";
-  EXPECT_EQ(leftovers(scenario.output()), "");
-
-  const CommandOutcome resumed = runCommand(optimizeSmall(scenario));
-  EXPECT_EQ(resumed.status, kExitDone) << resumed.all();
-  EXPECT_TRUE(fs::exists(scenario.output() / "result.json"));
-}
 
 TEST(TwoRuns, OnOneOutputLeaveItWhole) {
   const SmallScenario scenario;

@@ -11,7 +11,7 @@
 
 namespace reprise {
 
-inline constexpr int kExitDone = 0, kExitBadInput = 1, kExitBadCommandLine = 2, kExitMachineLacks = 3, kExitUndecided = 4;
+inline constexpr int kExitDone = 0, kExitBadInput = 1, kExitBadCommandLine = 2, kExitMachineLacks = 3, kExitUndecided = 4, kExitInterrupted = 130;
 
 // Fails the test unless the command ended with `status` and its standard error holds every one of `words`.
 inline void expectRefusal(const CommandOutcome& outcome, int status, const std::vector<std::string>& words) {

@@ -56,6 +56,20 @@ std::string refusalOf(const RunResult& result, const std::string& strategy) {
   return "";
 }
 
+// Hits have errors: a frame of misses has none.
+TEST(Training, TakesAFarPlaneAtInfinity) {
+  const Result<RunResult> result = runWithPeriods("[1, 4]", [](const SmallScenario& scenario) {
+    scenario.replace(scenario.toml(), "radians_per_frame = 0.02 } }", "radians_per_frame = 0.02 }, far = inf }");
+    scenario.replace(scenario.toml(), "radians_per_frame = 0.03 } }", "radians_per_frame = 0.03 }, far = inf }");
+  });
+  ASSERT_TRUE(result.ok()) << formatError(result.error());
+  bool hits = false;
+  for (const RunConfiguration& one : baseConfigurations(*result))
+    for (const RunPoint& point : one.points) hits |= point.measured_error && *point.measured_error > 0;
+  EXPECT_TRUE(hits);
+  for (const std::string& warning : result->warnings) EXPECT_EQ(warning.find("not finite"), std::string::npos) << warning;
+}
+
 TEST(Training, TimesTheShortestAndTheLongestAcceptablePeriod) {
   const Result<RunResult> result = runWithPeriods("[1, 4, \"never\"]");
   ASSERT_TRUE(result.ok()) << formatError(result.error());

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -112,6 +113,24 @@ TEST(ReadGltf, KeepsTheFourTargetsThatMoveTheMost) {
   EXPECT_EQ(read->meshes[0].primitives[0].targets, (std::vector<std::size_t>{2, 3, 4, 5}));
   ASSERT_EQ(read->warnings.size(), 1u);
   EXPECT_NE(read->warnings[0].find("meshes[0].primitives[0].targets"), std::string::npos);
+}
+
+TEST(ReadGltf, WarnsOfExtensionsThatAreNotDrawnByTheNameOfTheMaterial) {
+  json document = madeGltf({});
+  json& material = document["materials"][0];
+  material["name"] = "Glass";
+  material["extensions"] = {{"KHR_materials_transmission", {{"transmissionFactor", 0.9}}}, {"KHR_materials_sheen", json::object()},
+                            {"KHR_materials_clearcoat", {{"clearcoatFactor", 0}}}, {"KHR_materials_ior", json::object()}};
+  document["textures"] = {json::object()};  // without a source, which is warned of, too
+  material["normalTexture"] = {{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"scale", {2, 2}}}}}}};
+  const std::vector<std::string> before = readMade(madeGltf({}))->warnings;
+  const Result<GltfScene> read = readMade(document);
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  const auto warned = [&](const std::string& text) { return std::find(read->warnings.begin(), read->warnings.end(), text) != read->warnings.end(); };
+  EXPECT_TRUE(warned("materials[0] 'Glass': KHR_materials_transmission is not drawn"));
+  EXPECT_TRUE(warned("materials[0] 'Glass': KHR_materials_sheen is not drawn"));
+  EXPECT_TRUE(warned("materials[0] 'Glass'.normalTexture: KHR_texture_transform is not drawn"));
+  EXPECT_EQ(read->warnings.size(), before.size() + 4);
 }
 
 TEST(ReadGltf, MakesNormalsOfTrianglesAndTangentsAlongU) {

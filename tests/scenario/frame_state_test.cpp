@@ -9,6 +9,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
+#include <limits>
 #include <numbers>
 
 namespace reprise {
@@ -74,6 +75,20 @@ INSTANTIATE_TEST_SUITE_P(Cameras, Projection,
                            return std::string(each.param.orthographic ? "Orthographic" : "Perspective") +
                                   (each.param.reverse_z ? "ReverseZ" : "");
                          });
+
+TEST(Projection, TakesAFarPlaneAtInfinityToItsEndOfDepth) {
+  for (const bool reverse_z : {false, true}) {
+    SessionSpec session = lookingFrom({0, 0, 5});
+    session.camera.reverse_z = reverse_z;
+    session.camera.far_plane = 1e7f;
+    const FrameState distant = evaluateFrame(oneBall(), session, 0);
+    session.camera.far_plane = std::numeric_limits<float>::infinity();
+    const FrameState state = evaluateFrame(oneBall(), session, 0);
+    EXPECT_NEAR(projected(state, {0, 0, 4.5f}).z, reverse_z ? 1 : 0, 1e-5);
+    EXPECT_NEAR(projected(state, {0, 0, -1e6f}).z, reverse_z ? 0 : 1, 1e-5);
+    for (const float z : {4.0f, 0.0f, -100.0f}) EXPECT_NEAR(projected(state, {1, 2, z}).z, projected(distant, {1, 2, z}).z, 1e-6);
+  }
+}
 
 TEST(Camera, OrbitsByItsStepAFrame) {
   SessionSpec session;

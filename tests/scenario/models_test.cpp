@@ -86,6 +86,15 @@ TEST(ModelCameras, AreFoundByNameNodeAndIndexAndBringTheirLens) {
   }
 }
 
+TEST(ModelCameras, WithoutAFarPlaneSeeToInfinity) {
+  const ScenarioFolder folder;
+  folder.write("endless.gltf", changed(kModelWithCamera, ",\"zfar\":50", ""));
+  const std::string text = changed(validScenario(), "[uniforms]", "[[model]]\nname = \"a\"\nfile = \"endless.gltf\"\n[uniforms]");
+  const Result<Scenario> read = folder.read(changed(text, "camera = { orbit = { radius = 3 } }", "camera = { gltf = \"a\" }"));
+  ASSERT_TRUE(read.ok()) << formatError(read.error());
+  EXPECT_EQ(read->sessions[0].camera.far_plane, std::numeric_limits<float>::infinity());
+}
+
 TEST(ModelCameras, ThatAreNotThereAreRefusedWithNearNames) {
   const ScenarioFolder folder;
   const Result<Scenario> read = readWithModelCamera(folder, "{ model = \"a\", camera = \"Frnt\" }");

@@ -131,6 +131,9 @@ const std::vector<Mistake> kMistakes = {
      {"'eye'", "2 numbers", "expected 3"}},
     {"CameraWithoutPath", "orbit = { radius = 3 }", "near = 1", "scenario.missing_key", 32, 10, {"'orbit'"}},
     {"FarBeforeNear", "{ radius = 3 }", "{ radius = 3 }, far = 0.01", "scenario.value", 32, 10, {"'far'"}},
+    {"OrthographicToInfinity", "{ radius = 3 }", "{ radius = 3 }, orthographic = true, far = inf", "scenario.value", 32, 63, {"'far'", "inf", "orthographic"}},
+    {"FarAtMinusInfinity", "{ radius = 3 }", "{ radius = 3 }, far = -inf", "scenario.value", 32, 42, {"'far'", "-inf"}},
+    {"NearAtInfinity", "{ radius = 3 }", "{ radius = 3 }, near = inf", "scenario.value", 32, 43, {"'near'", "inf"}},
     {"ReverseZAgainstLess",
      "{ radius = 3 }",
      "{ radius = 3 }, reverse_z = true",
@@ -179,8 +182,11 @@ TEST(Scenario, ReportsAllMistakesInTheOrderOfTheFile) {
   const Result<Scenario> read = folder.read(text);
   ASSERT_FALSE(read.ok());
   EXPECT_EQ(read.error().place.line, 8);
-  EXPECT_NE(read.error().message.find("scene.toml:15:17: error: "), std::string::npos)
-      << read.error().message;
+  ASSERT_EQ(read.error().others.size(), 1u) << formatError(read.error());
+  const Error& other = read.error().others.front();
+  EXPECT_EQ(other.code, "scenario.value");
+  EXPECT_EQ(other.place, (Place{(folder.path() / "scene.toml").string(), 15, 17}));
+  EXPECT_EQ(other.message.find('\n'), std::string::npos) << other.message;
 }
 
 TEST(Scenario, OfNothingNamesWhatIsNeeded) {
@@ -188,7 +194,7 @@ TEST(Scenario, OfNothingNamesWhatIsNeeded) {
   const Result<Scenario> read = folder.read("");
   ASSERT_FALSE(read.ok());
   for (const char* word : {"[[object]]", "[[model]]", "training", "validation"})
-    EXPECT_NE(read.error().message.find(word), std::string::npos) << word << " in: " << read.error().message;
+    EXPECT_NE(formatError(read.error()).find(word), std::string::npos) << word << " in: " << formatError(read.error());
 }
 
 TEST(Scenario, OfBytesIsASyntaxError) {

@@ -178,7 +178,8 @@ Camera anyCamera(bool reverse_z) {
   else
     camera.fov_y_deg = anyFloat(1, 170);
   camera.near_plane = anyFloat(0.001f, 1);
-  camera.far_plane = anyFloat(2, 1000);
+  const bool infinite = !camera.orthographic && *rc::gen::arbitrary<bool>();
+  camera.far_plane = infinite ? std::numeric_limits<float>::infinity() : anyFloat(2, 1000);
   camera.reverse_z = reverse_z;
   return camera;
 }

@@ -87,7 +87,7 @@ Scenario withoutPlaces(Scenario scenario) {
   scenario.uniforms_place = {};
   for (UniformBinding& binding : scenario.uniforms) binding.place = {};
   for (ModelSpec& model : scenario.models) model.place = {};
-  for (TextureSpec& texture : scenario.textures) texture.place = {};
+  for (TextureSpec& texture : scenario.textures) texture.place = texture.file_place = {};
   for (PassSpec& pass : scenario.passes) pass.place = {};
   return scenario;
 }

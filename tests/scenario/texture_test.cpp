@@ -31,7 +31,7 @@ TextureSpec fromFile(const ScenarioFolder& folder, const std::string& name) {
   spec.name = "texture";
   spec.kind = TextureKind::kFile;
   spec.path = (folder.path() / name).string();
-  spec.place = {"scene.toml", 12, 3};
+  spec.file_place = {"scene.toml", 12, 3};
   return spec;
 }
 

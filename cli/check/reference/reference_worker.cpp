@@ -1,6 +1,4 @@
 // The side of the reference that renders. Nothing here may touch compiler/ir or what stands on it.
-#include <signal.h>
-#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <array>
@@ -9,6 +7,7 @@
 
 #include "cli/check/reference/no_contraction.h"
 #include "cli/check/reference/play_original.h"
+#include "cli/check/reference/child_process.h"
 #include "cli/check/reference/reference_messages.h"
 #include "compiler/source/reflect.h"
 #include "compiler/source/validate.h"
@@ -57,7 +56,7 @@ Result<std::vector<HarnessFrame>> answerTo(const ReferenceAsk& ask, const Refere
 }  // namespace
 
 int runReferenceWorker() {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  belongToParent();
   // Drivers that print to standard output must not garble the answers.
   const int answers = ::dup(STDOUT_FILENO);
   ::dup2(STDERR_FILENO, STDOUT_FILENO);
