@@ -13,7 +13,7 @@ namespace {
 constexpr int kMostSize = 1'000'000;
 constexpr int kSmallEdit = 2;                     // then nothing better is looked for
 constexpr std::size_t kMostSearchedPairs = 20'000;
-constexpr int kMostDepth = 4'000;
+constexpr int kMostDepth = 1'500;
 
 int capped(long size) { return static_cast<int>(std::min<long>(size, kMostSize)); }
 
