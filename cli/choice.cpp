@@ -91,6 +91,7 @@ VariantOptions variantFrom(const Json& from) {
 Json valueJson(const IdentifiedValue& value) {
   Json json = {{"slice", value.slice}, {"shape", value.shape}, {"name", value.name}, {"operation", value.operation}, {"type", value.type},
                {"file", value.file}, {"line", value.line}, {"operations", value.operations}, {"inputs", value.inputs}};
+  if (!value.text.empty()) json["slice_text"] = value.text;
   if (!value.chain.empty()) json["part_of"] = {{"chain", value.chain}, {"kept_terms", value.terms}};
   return json;
 }
@@ -103,6 +104,7 @@ IdentifiedValue valueFrom(const Json& from) {
   value.line = from.at("line").get<int>();
   value.operations = from.at("operations").get<std::map<std::string, int>>();
   value.inputs = from.at("inputs").get<std::vector<std::string>>();
+  if (const auto text = from.find("slice_text"); text != from.end()) value.text = text->get<std::vector<std::string>>();
   if (const auto part = from.find("part_of"); part != from.end()) {
     value.chain = part->at("chain").get<std::string>();
     value.terms = part->at("kept_terms").get<std::vector<std::string>>();

@@ -214,12 +214,16 @@ int runCheck(Words& words) {
   return *result ? 0 : kInputStatus;
 }
 
+std::string levelNames() {
+  std::string names;
+  for (const Quality& quality : qualities()) names += (names.empty() ? "" : ", ") + quality.name;
+  return names;
+}
+
 void addOptimize(CLI::App& app, Words& words) {
   CLI::App* command = app.add_subcommand("optimize", "find, measure and package the fastest variant under an error threshold");
   command->add_option("scenario", words.optimize.scenario, "TOML file (docs/scenario.md), or a glTF model (.gltf, .glb)")->required();
-  std::string levels;
-  for (const Quality& quality : qualities()) levels += (levels.empty() ? "" : ", ") + quality.name;
-  command->add_option("--quality", words.demand.quality, "level of quality: " + levels + "; " + kDefaultQuality + " where nothing else is allowed");
+  command->add_option("--quality", words.demand.quality, "level of quality: " + levelNames() + "; " + kDefaultQuality + " where nothing else is allowed");
   command->add_option("--max", words.demand.max, "METRIC=VALUE, the most that a metric may be; may be given several times, and all bind: " + metricNames())
       ->allow_extra_args(false);
   command->add_option("--max-error", words.demand.max_error, "the same of the metric of --metric");
@@ -279,6 +283,11 @@ void addEmit(CLI::App& app, Words& words) {
   command->add_option("--name", words.emit.header_name, "of the package in the header")->capture_default_str();
   command->add_option("--on-stale", words.on_stale, "fail or original: what to do where the payload has changed")
       ->check(CLI::IsMember({"fail", "original"}))->capture_default_str();
+  command->add_option("--quality", words.emit.asked.quality, "fail unless the choice binds what this level does: " + levelNames());
+  command->add_option("--max", words.emit.asked.max, "METRIC=VALUE, fail unless the choice allows the metric at most this; may be given several times")
+      ->allow_extra_args(false);
+  command->add_option("--max-error", words.emit.asked.max_error, "the same of the metric of --metric");
+  command->add_option("--metric", words.emit.asked.metric, "of --max-error; rms where none is named");
   command->add_flag("--verify", words.emit.verify, "compare the package with the original first, on a device; write nothing where they differ");
   command->add_flag("--M", words.emit.list_dependencies, "print what the package depends on as a make rule, and make nothing");
   command->add_flag("--MD", words.write_dependencies, "write that rule beside the output");

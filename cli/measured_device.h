@@ -18,6 +18,9 @@ struct MeasuredDevice {
 // By index or a part of the name; empty: the first. Errors: those of Context::create and probeLanes.
 Result<MeasuredDevice> openMeasuredDevice(const std::string& wanted);
 
+// The processor of this machine and its cores: "AMD EPYC 7B13, 2 cores"; "" where it does not tell.
+std::string processorName();
+
 // As results tell it. host: processor and cores.
 RunDevice describeDevice(const MeasuredDevice& device, const std::string& host);
 

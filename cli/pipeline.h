@@ -35,7 +35,7 @@ ErrorLimits limitsOf(const RunResult& result);
 Result<RunResult> validateAgain(const std::string& directory, const OptimizeArguments& arguments, Progress& progress);
 
 // Measures a committed choice of the sources as they are now, in the workspace `arguments.output`, and holds it against its threshold
-// and its recorded cost (committed_check.h). Errors: choice.*, validate.original, and of the stages.
+// and its recorded cost (committed_check.h); what fails by its time is timed again. Errors: choice.*, validate.original, and of the stages.
 struct CommittedArguments {
   std::string choice, scenario;
   double cost_tolerance = 0.2;

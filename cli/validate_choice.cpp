@@ -177,14 +177,33 @@ Result<void> measureValidationTimes(const Subject& subject, const Workspace& wor
   return {};
 }
 
+Measuring byAllMetrics(Measuring measuring, Progress& progress) {
+  measuring.metrics.clear();  // finalists are judged by all, the costly ones too
+  for (const Metric& metric : metrics()) measuring.metrics.push_back(metric.name);
+  measuring.progress = [&progress](const JobProgress& state) { progress.update(state.done, state.total); };
+  return measuring;
+}
+
+// The thresholds hold for every session, not only for all of them together.
+Result<void> timeAndJudge(const Subject& subject, const Workspace& workspace, const Measuring& measuring, const ValidationPlan& plan,
+                          ValidationRun& run) {
+  run.binding = run.wall = {};
+  REPRISE_TRY(measureValidationTimes(subject, workspace, measuring, plan, run));
+  run.judgement = judge({judgedErrors(plan.limits, run), run.spoiled, run.binding, run.wall, plan.cpu_clock ? "process CPU time" : "time stamps"}, plan.least_gain);
+  return {};
+}
+
 }  // namespace
+
+Result<void> timeAgain(const Subject& subject, const Workspace& workspace, const Measuring& measuring, const ValidationPlan& plan,
+                       Progress& progress, ValidationRun& run) {
+  progress.begin(fmt::format("validate {} n={}, times", plan.options.strategy, plan.options.period_frames));
+  return timeAndJudge(subject, workspace, byAllMetrics(measuring, progress), plan, run);
+}
 
 Result<ValidationRun> validateChoice(const Subject& subject, const Workspace& workspace, const Measuring& measuring_given,
                                      const ValidationPlan& plan, Progress& progress) {
-  Measuring measuring = measuring_given;
-  measuring.metrics.clear();  // finalists are judged by all, the costly ones too
-  for (const Metric& metric : metrics()) measuring.metrics.push_back(metric.name);
-  measuring.progress = [&](const JobProgress& state) { progress.update(state.done, state.total); };
+  const Measuring measuring = byAllMetrics(measuring_given, progress);
   ValidationRun run;
   for (const SessionSpec& session : subject.scenario.sessions)
     if (session.role == SessionRole::kValidation) run.sessions.push_back({session.name, {}, {}, {}});
@@ -200,9 +219,7 @@ Result<ValidationRun> validateChoice(const Subject& subject, const Workspace& wo
     run.binding.ratio = run.wall.ratio = run.original_ms = run.original_wall_ms = run.prepass_ms = run.limit_ms = kUnknown;
     return run;
   }
-  REPRISE_TRY(measureValidationTimes(subject, workspace, measuring, plan, run));
-  // The thresholds hold for every session, not only for all of them together.
-  run.judgement = judge({judgedErrors(plan.limits, run), run.spoiled, run.binding, run.wall, plan.cpu_clock ? "process CPU time" : "time stamps"}, plan.least_gain);
+  REPRISE_TRY(timeAndJudge(subject, workspace, measuring, plan, run));
   return run;
 }
 

@@ -56,4 +56,8 @@ struct ValidationRun {
 Result<ValidationRun> validateChoice(const Subject& subject, const Workspace& workspace, const Measuring& measuring,
                                      const ValidationPlan& plan, Progress& progress);
 
+// The times alone once more, which judge `run` anew: its errors are what they are. Only for a run that was timed. Errors: as above.
+Result<void> timeAgain(const Subject& subject, const Workspace& workspace, const Measuring& measuring, const ValidationPlan& plan,
+                       Progress& progress, ValidationRun& run);
+
 }  // namespace reprise

@@ -1,19 +1,22 @@
-# reprise_optimize_shader(<target> SCENARIO file MAX_ERROR value CHOICE file [OUTPUT directory] [METRIC name]
-#                         [TRAIN NEVER|IF_STALE|ALWAYS] [HEADER file [NAME name]] [BESIDE name])
+# reprise_optimize_shader(<target> SCENARIO file CHOICE file [QUALITY level] [MAX metric=value...] [MAX_ERROR value [METRIC name]]
+#                         [OUTPUT directory] [TRAIN NEVER|IF_STALE|ALWAYS] [HEADER file [NAME name]] [BESIDE name])
 #
 # Makes the package of a committed choice whenever <target> is built and something that the package depends on has changed.
+#   QUALITY, MAX, MAX_ERROR, METRIC   what the build allows, as in `reprise optimize`: bound where the build measures, and the step fails
+#            where CHOICE was made under a threshold that is higher. Without any of them whatever CHOICE allows will do.
 #   OUTPUT   the package's directory; without it reprise/<name of the scenario> in the build folder
-#   TRAIN    NEVER (default) needs no device and fails where the choice is stale; IF_STALE then measures and writes CHOICE anew;
-#            ALWAYS measures whenever the package has to be made. Runs that measure wait for each other.
+#   TRAIN    NEVER (default) needs no device and fails where the choice is stale; IF_STALE then measures and writes CHOICE anew,
+#            and also where CHOICE allows too much; ALWAYS measures whenever the package has to be made. Runs that measure wait for
+#            each other. Where a run is undecided CHOICE stays as it is.
 #   HEADER   the package as a C++ header too, relative to a folder that <target> gets as include directory:
 #            reprise_packages::<NAME>, for reprise::readEmbeddedPackage
 #   BESIDE   a copy of the package in a folder of this name beside <target>'s executable
 function(reprise_optimize_shader target)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "SCENARIO;MAX_ERROR;METRIC;CHOICE;OUTPUT;TRAIN;HEADER;NAME;BESIDE" "")
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "SCENARIO;QUALITY;MAX_ERROR;METRIC;CHOICE;OUTPUT;TRAIN;HEADER;NAME;BESIDE" "MAX")
   if(ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "reprise_optimize_shader: unknown words: ${ARG_UNPARSED_ARGUMENTS}")
   endif()
-  foreach(needed SCENARIO MAX_ERROR CHOICE)
+  foreach(needed SCENARIO CHOICE)
     if(NOT DEFINED ARG_${needed})
       message(FATAL_ERROR "reprise_optimize_shader(${target}): ${needed} is missing")
     endif()
@@ -32,9 +35,22 @@ function(reprise_optimize_shader target)
     set(ARG_OUTPUT reprise/${scenario_name})
   endif()
   cmake_path(ABSOLUTE_PATH ARG_OUTPUT BASE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} NORMALIZE)
-  if(NOT DEFINED ARG_METRIC)
-    set(ARG_METRIC rms)
+  set(asked "")
+  if(DEFINED ARG_QUALITY)
+    list(APPEND asked --quality ${ARG_QUALITY})
   endif()
+  foreach(threshold IN LISTS ARG_MAX)
+    list(APPEND asked --max ${threshold})
+  endforeach()
+  if(DEFINED ARG_MAX_ERROR)
+    list(APPEND asked --max-error ${ARG_MAX_ERROR})
+  endif()
+  if(DEFINED ARG_METRIC)
+    list(APPEND asked --metric ${ARG_METRIC})
+  endif()
+  # Makefiles do not see that a command has changed, so that the words are a file, which changes where they do.
+  list(JOIN asked " " words)
+  file(CONFIGURE OUTPUT ${ARG_OUTPUT}.asked CONTENT "${words}\n" @ONLY)
 
   # The stamp is the output that is always new; what lies beside it is written only where it differs.
   set(stamp ${ARG_OUTPUT}.stamp)
@@ -56,10 +72,10 @@ function(reprise_optimize_shader target)
 
   add_custom_command(
     OUTPUT ${stamp} BYPRODUCTS ${made}
-    COMMAND ${CMAKE_COMMAND} -DREPRISE=$<TARGET_FILE:Reprise::reprise> -DSCENARIO=${ARG_SCENARIO} -DMAX_ERROR=${ARG_MAX_ERROR}
-            -DMETRIC=${ARG_METRIC} -DCHOICE=${ARG_CHOICE} -DOUTPUT=${ARG_OUTPUT} -DTRAIN=${ARG_TRAIN} -DSTAMP=${stamp}
+    COMMAND ${CMAKE_COMMAND} -DREPRISE=$<TARGET_FILE:Reprise::reprise> -DSCENARIO=${ARG_SCENARIO} "-DASKED=${words}"
+            -DCHOICE=${ARG_CHOICE} -DOUTPUT=${ARG_OUTPUT} -DTRAIN=${ARG_TRAIN} -DSTAMP=${stamp}
             "-DHEADER=${header_file}" "-DNAME=${ARG_NAME}" "-DBESIDE=${beside}" -P ${build_step}
-    DEPENDS ${ARG_SCENARIO} ${build_step} $<TARGET_FILE:Reprise::reprise>
+    DEPENDS ${ARG_SCENARIO} ${ARG_OUTPUT}.asked ${build_step} $<TARGET_FILE:Reprise::reprise>
     DEPFILE ${ARG_OUTPUT}.d
     COMMENT "Reprise: package of ${scenario_name}"
     VERBATIM)

@@ -1,17 +1,28 @@
 # One run of the build step (reprise_optimize_shader in RepriseOptimizeShader.cmake):
-#   cmake -DREPRISE= -DSCENARIO= -DMAX_ERROR= -DMETRIC= -DCHOICE= -DOUTPUT= -DTRAIN= -DSTAMP= -DHEADER= -DNAME= -DBESIDE= -P this
+#   cmake -DREPRISE= -DSCENARIO= -DASKED= -DCHOICE= -DOUTPUT= -DTRAIN= -DSTAMP= -DHEADER= -DNAME= -DBESIDE= -P this
+# ASKED is what the build allows, in the words of optimize and emit: "--quality good --max tile_flip=0.05".
 # The stamp is touched last and removed first, so that a failed run is run again.
 file(REMOVE ${STAMP})
 
-set(emit ${REPRISE} emit ${SCENARIO} --choice ${CHOICE} -o ${OUTPUT} -MD -MF ${OUTPUT}.d -MT ${STAMP})
+separate_arguments(asked UNIX_COMMAND "${ASKED}")
+set(emit ${REPRISE} emit ${SCENARIO} --choice ${CHOICE} ${asked} -o ${OUTPUT} -MD -MF ${OUTPUT}.d -MT ${STAMP})
 if(HEADER)
   list(APPEND emit --header ${HEADER} --name ${NAME})
 endif()
 
-# What optimize measures stays in OUTPUT.training, so that an interrupted run goes on; CHOICE changes only if the choice did.
+# What optimize measures stays in OUTPUT.training, so that an interrupted run goes on; CHOICE changes only if the choice did. A run that is
+# undecided (status 4) has made none: the committed one stays, and says itself whether it still holds.
 function(train)
-  execute_process(COMMAND ${REPRISE} optimize ${SCENARIO} --max-error ${MAX_ERROR} --metric ${METRIC} -o ${OUTPUT}.training
-                  RESULT_VARIABLE status)
+  execute_process(COMMAND ${REPRISE} optimize ${SCENARIO} ${asked} -o ${OUTPUT}.training RESULT_VARIABLE status)
+  if(status EQUAL 4)
+    file(READ ${OUTPUT}.training/result.json result)
+    string(JSON missing ERROR_VARIABLE unread GET "${result}" choice reason)
+    if(NOT EXISTS ${CHOICE})
+      message(FATAL_ERROR "reprise optimize ${SCENARIO} is undecided, and there is no committed choice to keep: ${missing}")
+    endif()
+    message(WARNING "reprise optimize ${SCENARIO} is undecided, so that the committed choice ${CHOICE} is kept: ${missing}")
+    return()
+  endif()
   if(NOT status EQUAL 0)
     message(FATAL_ERROR "reprise optimize ${SCENARIO} failed (${status})")
   endif()
@@ -25,7 +36,7 @@ if(TRAIN STREQUAL "ALWAYS")
   train()
 endif()
 execute_process(COMMAND ${emit} --error-format json RESULT_VARIABLE status ERROR_VARIABLE errors)
-if(NOT status EQUAL 0 AND TRAIN STREQUAL "IF_STALE" AND errors MATCHES "\"code\":\"choice\\.(stale|missing|unsafe)\"")
+if(NOT status EQUAL 0 AND TRAIN STREQUAL "IF_STALE" AND errors MATCHES "\"code\":\"choice\\.(stale|missing|unsafe|threshold)\"")
   message(STATUS "${CHOICE} has to be made anew")
   train()
   execute_process(COMMAND ${emit} RESULT_VARIABLE status)

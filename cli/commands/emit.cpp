@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "cli/choice_threshold.h"
 #include "cli/hold_laws.h"
 #include "cli/open_bench.h"
 #include "cli/package_header.h"
@@ -95,6 +96,7 @@ Result<void> emitChoice(const EmitArguments& arguments, std::ostream& out, std::
   if (choice.tool_version != kToolVersion)
     notes << "note: " << arguments.choice << " was made by reprise " << choice.tool_version << ", this is " << kToolVersion
           << "; 'reprise validate --choice' tells whether it still holds\n";
+  REPRISE_TRY(holdThresholds(choice, arguments.asked, arguments.scenario));
   REPRISE_ASSIGN(const Package package, packageFor(subject, choice, arguments, notes));
   const bool ships_variant = !choice.is_original && package.variant.strategy != package.original.strategy;
   if (arguments.verify && ships_variant) REPRISE_TRY(verify(subject, choice, package, arguments));

@@ -7,14 +7,15 @@ _reprise() {
     if [[ " $commands " == *" $each "* ]]; then command="$each"; break; fi
   done
   case "$previous" in
-    --metric) COMPREPLY=($(compgen -W "rms mean p95 ssim flip over8 flicker" -- "$word")); return ;;
+    --metric) COMPREPLY=($(compgen -W "rms mean p95 largest relative_rms ssim flip over8 flicker tile_rms tile_flip tile_flicker blocks" -- "$word")); return ;;
+    --quality) COMPREPLY=($(compgen -W "imperceptible good draft" -- "$word")); return ;;
     --on-stale) COMPREPLY=($(compgen -W "fail original" -- "$word")); return ;;
     --error-format) COMPREPLY=($(compgen -W "text json" -- "$word")); return ;;
   esac
   case "$command" in
     "") COMPREPLY=($(compgen -W "$commands $common" -- "$word")); return ;;
     optimize) options="--quality --max --max-error --metric --min-gain --budget --output -o" ;;
-    emit) options="--choice --output -o --header --name --on-stale --verify -M -MD -MF -MT" ;;
+    emit) options="--choice --output -o --header --name --on-stale --quality --max --max-error --metric --verify -M -MD -MF -MT" ;;
     validate) options="--choice --cost-tolerance --output -o" ;;
     analyze) options="--json --all --annotate -I -D -std --entry-point -MD -MF" ;;
     check) options="--json --jobs -j --seed --candidates --strategy --timeout -I -D --entry-point" ;;

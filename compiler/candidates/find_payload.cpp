@@ -7,11 +7,17 @@
 #include <set>
 
 #include "compiler/analysis/places.h"
+#include "compiler/candidates/slice_changes.h"
+#include "compiler/candidates/slice_text.h"
 #include "compiler/candidates/value_hashes.h"
 #include "runtime/base/hash.h"
 
 namespace reprise {
 namespace {
+
+constexpr std::size_t kMostToldEdits = 4;
+constexpr double kMostEdited = 0.5;  // of what still counts as the same value under another name
+constexpr int kMostCompared = 64;
 
 // The nodes whose structure is the value's: one, or the kept terms of a chain.
 struct Terms {
@@ -71,7 +77,7 @@ struct Hashes {
   std::vector<std::string> slice, shape;
 };
 
-IdentifiedValue identify(const ShaderAnalysis& analysis, const Hashes& hashes, const CandidateValue& value) {
+IdentifiedValue identify(const PreparedShader& shader, const ShaderAnalysis& analysis, const Hashes& hashes, const CandidateValue& value) {
   Terms terms = termsOf(value, analysis.graph);
   IdentifiedValue identity;
   identity.name = value.name;
@@ -88,6 +94,8 @@ IdentifiedValue identify(const ShaderAnalysis& analysis, const Hashes& hashes, c
     identity.slice = hashes.slice[static_cast<std::size_t>(value.node)];
     identity.shape = hashes.shape[static_cast<std::size_t>(value.node)];
   }
+  identity.text = textOf(value.regrouping ? termsOfChain(shader, analysis, value.regrouping->chain, value.regrouping->kept)
+                                          : termsOfValue(shader, analysis, value.node));
   std::erase(terms.nodes, kNoNode);
   identity.operations = countOperations(analysis.graph, terms.nodes);
   identity.inputs = inputsOf(analysis, terms.nodes);
@@ -168,28 +176,94 @@ class PayloadFinder {
     return found;
   }
 
-  Error stale(const IdentifiedValue& wanted) const {
-    const std::string title = (wanted.name.empty() ? wanted.operation : "'" + wanted.name + "'") + " of line " +
-                              std::to_string(wanted.line) + " of " + wanted.file;
-    const std::string advice = "; choose again with 'reprise optimize', or play the original with --on-stale=original";
-    const std::optional<std::size_t> successor = successorOf(wanted);
-    if (!successor)
-      return {ErrorKind::kInput, "choice.stale", "the payload " + title + " is no longer in the shader" + advice, {wanted.file, 0, 0}};
-    const Place place = places_.placeOf(*analysis_.graph.nodes[*successor].instruction);
-    return {ErrorKind::kInput, "choice.stale", "the payload " + title + " has changed since it was chosen: " + changes(wanted, *successor) + advice,
-            place};
+  bool mayReplace(const IdentifiedValue& wanted, std::size_t node) const {
+    const Instruction& instruction = *analysis_.graph.nodes[node].instruction;
+    if (!analysis_.live[node] || analysis_.graph.nodes[node].loop_depth > 0 || instruction.type_id == 0) return false;
+    const char* operation = spvOpcodeString(static_cast<std::uint32_t>(instruction.opcode));
+    return operation != nullptr && wanted.operation == operation && nameOf(payloadType(shader_.module, instruction.type_id)) == wanted.type;
   }
 
-  std::string changes(const IdentifiedValue& before, std::size_t node) const {
-    if (!before.chain.empty()) return "its kept terms are no longer those that were chosen";
+  // Where nothing has its name or stands in its place: the value whose terms are the nearest, if most of them are the same.
+  std::optional<std::size_t> nearestTo(const IdentifiedValue& wanted, const SliceTerms& before) const {
+    std::optional<std::size_t> nearest;
+    double least = kMostEdited;
+    int compared = 0;
+    for (std::size_t i = 0; i < hashes_.slice.size() && compared < kMostCompared; ++i) {
+      if (!mayReplace(wanted, i)) continue;
+      ++compared;
+      const double edited = shareEdited(before, termsOfValue(shader_, analysis_, static_cast<int>(i)));
+      if (edited > least || (edited == least && nearest)) continue;
+      least = edited;
+      nearest = i;
+    }
+    return nearest;
+  }
+
+  Error stale(const IdentifiedValue& wanted) const {
+    const std::string advice = "; choose again with 'reprise optimize', or play the original with --on-stale=original";
+    std::string title = "the payload " + (wanted.name.empty() ? wanted.operation : "'" + wanted.name + "'") + " of line " +
+                        std::to_string(wanted.line) + " of " + wanted.file;
+    const std::optional<SliceTerms> before = termsOfText(wanted.text);
+    std::optional<std::size_t> successor = successorOf(wanted);
+    if (!successor && before && wanted.chain.empty()) {
+      successor = nearestTo(wanted, *before);
+      if (successor && !wanted.name.empty() && !nameAt(*successor).empty()) title += " is renamed '" + nameAt(*successor) + "' and";
+    }
+    if (!successor) return {ErrorKind::kInput, "choice.stale", title + " is no longer in the shader" + advice, {wanted.file, 0, 0}};
+    Place place = places_.placeOf(*analysis_.graph.nodes[*successor].instruction);
+    std::string what = before ? edits(wanted, *before, *successor, place) : "";
+    if (what.empty()) what = changes(wanted, *successor);
+    return {ErrorKind::kInput, "choice.stale", title + " has changed since it was chosen: " + what + advice, place};
+  }
+
+  std::vector<SliceChange> editsOf(const IdentifiedValue& wanted, const SliceTerms& before, std::size_t node) const {
+    if (wanted.chain.empty()) return changesBetween(before, termsOfValue(shader_, analysis_, static_cast<int>(node)));
+    for (const Chain& chain : findChains(shader_.module, *findFunction(shader_.module, shader_.entry_function)))
+      if (chain.root == analysis_.graph.nodes[node].instruction->result_id)
+        return changesOfKept(before, termsOfChain(shader_, analysis_, chain, std::vector<bool>(chain.terms.size(), true)));
+    return {};
+  }
+
+  // What was edited, each with its place; `first` becomes the place of the first of them. Empty where the terms do not tell.
+  std::string edits(const IdentifiedValue& wanted, const SliceTerms& before, std::size_t node, Place& first) const {
+    const std::vector<SliceChange> found = editsOf(wanted, before, node);
+    std::string text;
+    for (std::size_t i = 0; i < found.size() && i < kMostToldEdits; ++i) {
+      text += (text.empty() ? "" : ", ") + found[i].text;
+      if (found[i].node == kNoNode) continue;
+      const Place place = places_.placeOf(*analysis_.graph.nodes[static_cast<std::size_t>(found[i].node)].instruction);
+      if (place.line == 0) continue;
+      if (i == 0) first = place;
+      text += " (" + std::filesystem::path(place.file).filename().string() + ":" + std::to_string(place.line) + ")";
+    }
+    if (found.size() > kMostToldEdits) text += ", and " + std::to_string(found.size() - kMostToldEdits) + " more";
+    if (text.empty() || !wanted.chain.empty()) return text;
+    for (const std::string& input : inputChanges(wanted, identityOf(node), text)) text += ", " + input;
+    return text;
+  }
+
+  IdentifiedValue identityOf(std::size_t node) const {
     CandidateValue value;
     value.node = static_cast<int>(node);
-    const IdentifiedValue now = identify(analysis_, hashes_, value);
+    return identify(shader_, analysis_, hashes_, value);
+  }
+
+  // Without those that `told` names as replaced: "texture 'noise'".
+  static std::vector<std::string> inputChanges(const IdentifiedValue& before, const IdentifiedValue& now, const std::string& told = "") {
     std::vector<std::string> found;
+    const auto isTold = [&](const std::string& input) { return told.find("'" + input.substr(input.find(' ') + 1) + "'") != std::string::npos; };
     for (const std::string& input : now.inputs)
-      if (!std::binary_search(before.inputs.begin(), before.inputs.end(), input)) found.push_back("it now depends on " + input);
+      if (!std::binary_search(before.inputs.begin(), before.inputs.end(), input) && !isTold(input)) found.push_back("it now depends on " + input);
     for (const std::string& input : before.inputs)
-      if (!std::binary_search(now.inputs.begin(), now.inputs.end(), input)) found.push_back("it no longer depends on " + input);
+      if (!std::binary_search(now.inputs.begin(), now.inputs.end(), input) && !isTold(input)) found.push_back("it no longer depends on " + input);
+    return found;
+  }
+
+  // Without text: what it has more and less of.
+  std::string changes(const IdentifiedValue& before, std::size_t node) const {
+    if (!before.chain.empty()) return "its kept terms are no longer those that were chosen";
+    const IdentifiedValue now = identityOf(node);
+    std::vector<std::string> found = inputChanges(before, now);
     std::map<std::string, int> difference = now.operations;
     for (const auto& [operation, count] : before.operations) difference[operation] -= count;
     for (const auto& [operation, count] : difference)
@@ -211,7 +285,7 @@ class PayloadFinder {
 std::vector<IdentifiedValue> identifyPayload(const PreparedShader& shader, const ShaderAnalysis& analysis, const Candidate& candidate) {
   const Hashes hashes{hashValues(shader, analysis), hashValues(shader, analysis, false)};
   std::vector<IdentifiedValue> identified;
-  for (const CandidateValue& value : candidate.values) identified.push_back(identify(analysis, hashes, value));
+  for (const CandidateValue& value : candidate.values) identified.push_back(identify(shader, analysis, hashes, value));
   return identified;
 }
 

@@ -17,6 +17,7 @@ namespace reprise {
 struct IdentifiedValue {
   std::string slice;                      // hash of its structure; of a part of a chain: of the kept terms
   std::string shape;                      // the same with all constants alike
+  std::vector<std::string> text;          // what the hash is of, to tell what has changed (slice_text.h); none in old choices
   std::string name, operation, type;      // hints
   std::string file;                       // without folders
   int line = 0;
@@ -29,7 +30,8 @@ struct IdentifiedValue {
 
 std::vector<IdentifiedValue> identifyPayload(const PreparedShader& shader, const ShaderAnalysis& analysis, const Candidate& candidate);
 
-// The payload in this shader. Errors (kInput): choice.stale (a value is gone or its slice has changed; says what of it), choice.unsafe
+// The payload in this shader. Errors (kInput): choice.stale (a value is gone or its slice has changed; says what was edited and where, and
+// where there is no text what it has more or less of), choice.unsafe
 // (it is there, but the rest of the shader has changed so that it cannot be kept any more).
 Result<Candidate> findPayload(const PreparedShader& shader, const ShaderAnalysis& analysis, const std::vector<SourceFile>& sources,
                               const std::vector<IdentifiedValue>& payload);

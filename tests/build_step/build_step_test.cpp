@@ -112,6 +112,17 @@ TEST_P(BuildStep, FailsWithAStaleChoiceAndBuildsOnAfterTheMend) {
   expectBuilt(1);
 }
 
+TEST_P(BuildStep, RunsAgainAndFailsWhereTheBuildAsksForLess) {
+  edit(source() / "CMakeLists.txt", "granite.toml MAX_ERROR 0.03", "granite.toml QUALITY draft MAX rms=0.03 flip=0.5 MAX_ERROR 0.02");
+  const CommandOutcome outcome = runBuild();
+  EXPECT_NE(outcome.status, 0) << outcome.all();
+  EXPECT_NE(outcome.all().find("the choice allows rms 0.03, the build asks for at most 0.02 (--max-error)"), std::string::npos) << outcome.all();
+  EXPECT_NE(outcome.all().find("the choice does not bind flip (it binds rms 0.03), the build asks for at most 0.5 (--max)"), std::string::npos) << outcome.all();
+  EXPECT_NE(outcome.all().find("(--quality draft)"), std::string::npos) << outcome.all();
+  edit(source() / "CMakeLists.txt", "QUALITY draft MAX rms=0.03 flip=0.5 MAX_ERROR 0.02", "");
+  expectBuilt(1);  // it asks for nothing
+}
+
 INSTANTIATE_TEST_SUITE_P(Generators, BuildStep, testing::Values("Ninja", "Unix Makefiles"),
                          [](const auto& each) { return each.param == "Ninja" ? "Ninja" : "Makefiles"; });
 

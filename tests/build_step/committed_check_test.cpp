@@ -61,6 +61,71 @@ TEST(CommittedCheck, SaysOfAnotherDeviceThatItIsOne) {
   EXPECT_EQ(checkCommitted(recordedAt(2), measured, 0.1)->note, "recorded on device, measured on another");
 }
 
+// A measurement that gives these one after the other, and counts how often it was asked.
+struct Played {
+  std::vector<CommittedMeasures> measures;
+  std::vector<int> timings = {};
+
+  MeasureCommitted measure() {
+    return [this](int timing) -> Result<CommittedMeasures> {
+      timings.push_back(timing);
+      return measures.at(timings.size() - 1);
+    };
+  }
+};
+
+CommittedMeasures failingBy(const std::string& code) {
+  CommittedMeasures measured = measuredAt(1);
+  measured.judgement = {false, code, "it failed"};
+  return measured;
+}
+
+TEST(CommittedCheck, TimesAgainWhatFailedByItsTimes) {
+  for (const char* code : {"judge.not_faster", "judge.straddles", "judge.wall_not_faster", "judge.wall_straddles"}) {
+    Played played{{failingBy(code), failingBy("judge.straddles"), measuredAt(2)}};
+    const Result<CommittedCheck> check = checkCommittedAgain(recordedAt(2), played.measure(), 0.2);
+    ASSERT_TRUE(check.ok()) << code << " " << formatError(check.error());
+    EXPECT_EQ(played.timings, (std::vector<int>{1, 2, 3}));
+    EXPECT_NE(check->sentence.find("timed 3 times"), std::string::npos) << check->sentence;
+  }
+}
+
+TEST(CommittedCheck, TimesAgainWhatCostTooMuch) {
+  Played played{{measuredAt(1.2), measuredAt(1.9)}};
+  const Result<CommittedCheck> check = checkCommittedAgain(recordedAt(2), played.measure(), 0.2);
+  ASSERT_TRUE(check.ok()) << formatError(check.error());
+  EXPECT_NE(check->sentence.find("timed 2 times"), std::string::npos) << check->sentence;
+}
+
+TEST(CommittedCheck, FailsAfterThreeTimings) {
+  Played played{{measuredAt(1.2), measuredAt(1.3), measuredAt(1.25), measuredAt(2)}};
+  const Result<CommittedCheck> check = checkCommittedAgain(recordedAt(2), played.measure(), 0.2);
+  ASSERT_FALSE(check.ok());
+  EXPECT_EQ(played.timings.size(), 3u);
+  EXPECT_EQ(check.error().code, "validate.cost");
+  EXPECT_NE(check.error().message.find("timed 3 times"), std::string::npos) << check.error().message;
+}
+
+TEST(CommittedCheck, RepeatsNoErrorAndNothingThatHolds) {
+  for (const char* code : {"judge.error", "judge.nonfinite", "judge.unmeasured", "law.exact_setting"}) {
+    Played played{{failingBy(code), measuredAt(2)}};
+    const Result<CommittedCheck> check = checkCommittedAgain(recordedAt(2), played.measure(), 0.2);
+    ASSERT_FALSE(check.ok());
+    EXPECT_EQ(played.timings.size(), 1u) << code;
+    EXPECT_EQ(check.error().message, "it failed");
+  }
+  Played played{{measuredAt(2)}};
+  const Result<CommittedCheck> check = checkCommittedAgain(recordedAt(2), played.measure(), 0.2);
+  ASSERT_TRUE(check.ok());
+  EXPECT_EQ(played.timings.size(), 1u);
+  EXPECT_NE(check->sentence.find("timed once"), std::string::npos) << check->sentence;
+}
+
+TEST(CommittedCheck, PassesOnWhatMeasuringSays) {
+  const MeasureCommitted interrupted = [](int) -> Result<CommittedMeasures> { return Error{ErrorKind::kInterrupted, "interrupted", "", {}}; };
+  EXPECT_EQ(checkCommittedAgain(recordedAt(2), interrupted, 0.2).error().code, "interrupted");
+}
+
 class ValidateChoice : public testing::Test {
  protected:
   void SetUp() override { fs::copy(kShaders, shaders()); }
@@ -91,6 +156,7 @@ TEST_F(ValidateChoice, FailsWhereTheRecordedGainIsOutOfReach) {
   const CommandOutcome outcome = validate();
   EXPECT_EQ(outcome.status, 1) << outcome.all();
   EXPECT_NE(outcome.errors.find("error:"), std::string::npos) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("timed 3 times"), std::string::npos) << outcome.errors;
 }
 
 }  // namespace
