@@ -1,8 +1,8 @@
 // What the metrics of the quality levels give where differences are capped at T of 255, T = 4, 8 and 16 (profiler/metrics/quality.h).
 //
 // In each shipped scene, the candidate of the best four whose errors at period 8 are largest is played at that period in the first
-// training session. Its differences to the original are cut at T per channel. A scene in which fewer than a twentieth of the covered pixels reach T says
-// nothing about T and is left out there. The last lines are the medians over the scenes: the thresholds of the levels.
+// training session. Its differences to the original are cut at T per channel. A scene says nothing about T, and is left out there, where
+// even a tile of the 99th percentile has fewer than an eighth of its pixels at T. The last lines are the medians over the scenes: the thresholds of the levels.
 //
 //   build/release/bench/quality_levels [--frames 28] [--device NAME]
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::uint32_t kPeriod = 8;
 constexpr std::size_t kCandidates = 4;
-constexpr double kLeastAtCap = 0.05;
+constexpr double kLeastAtCap = 0.125;
 constexpr int kCaps[] = {4, 8, 16};
 const std::vector<std::string> kMetrics = {"tile_flip", "tile_rms", "tile_flicker", "blocks", "rms", "over8"};
 
@@ -137,8 +137,8 @@ int measureAll(const Arguments& arguments) {
       continue;
     }
     for (const auto& [cap, values] : *scene) {
-      // Differences that are all at T have an rms of T; a twentieth of them that of sqrt(0.05) T.
-      const bool counts = values.at("rms") >= std::sqrt(kLeastAtCap) * cap / 255.0;
+      // Differences that are all at T have an rms of T; an eighth of them that of sqrt(1/8) T.
+      const bool counts = values.at("tile_rms") >= std::sqrt(kLeastAtCap) * cap / 255.0;
       std::cout << rowText(one.name, cap, values) << (counts ? "" : "  left out: too few pixels reach T") << std::endl;
       if (!counts) continue;
       for (const auto& [metric, value] : values)
