@@ -199,12 +199,29 @@ class PayloadFinder {
     return nearest;
   }
 
+  // The chain of this kind that the fewest edits lead to, if most of the kept terms are left or only edited.
+  std::optional<std::size_t> nearestChain(const IdentifiedValue& wanted, const SliceTerms& before) const {
+    std::optional<std::size_t> nearest;
+    std::size_t fewest = 0;
+    for (const Chain& chain : findChains(shader_.module, *findFunction(shader_.module, shader_.entry_function))) {
+      const auto root = analysis_.graph.node_of.find(chain.root);
+      if (nameOf(chain.kind) != wanted.chain || root == analysis_.graph.node_of.end() || !analysis_.live[static_cast<std::size_t>(root->second)]) continue;
+      const std::vector<SliceChange> edits = changesOfKept(before, termsOfChain(shader_, analysis_, chain, std::vector<bool>(chain.terms.size(), true)));
+      const auto gone = static_cast<std::size_t>(std::count_if(edits.begin(), edits.end(), [](const SliceChange& one) { return one.gone; }));
+      if (2 * gone >= wanted.terms.size() || (nearest && edits.size() >= fewest)) continue;
+      fewest = edits.size();
+      nearest = static_cast<std::size_t>(root->second);
+    }
+    return nearest;
+  }
+
   Error stale(const IdentifiedValue& wanted) const {
     const std::string advice = "; choose again with 'reprise optimize', or play the original with --on-stale=original";
     std::string title = "the payload " + (wanted.name.empty() ? wanted.operation : "'" + wanted.name + "'") + " of line " +
                         std::to_string(wanted.line) + " of " + wanted.file;
     const std::optional<SliceTerms> before = termsOfText(wanted.text);
     std::optional<std::size_t> successor = successorOf(wanted);
+    if (!successor && before && !wanted.chain.empty()) successor = nearestChain(wanted, *before);
     if (!successor && before && wanted.chain.empty()) {
       successor = nearestTo(wanted, *before);
       if (successor && !wanted.name.empty() && !nameAt(*successor).empty()) title += " is renamed '" + nameAt(*successor) + "' and";

@@ -228,7 +228,7 @@ std::vector<SliceChange> changesOfKept(const SliceTerms& kept_before, const Slic
   for (const int term : changed) {
     const auto nearest = std::min_element(left.begin(), left.end(), [&](int a, int b) { return comparison.cost(term, a) < comparison.cost(term, b); });
     if (nearest == left.end() || comparison.cost(term, *nearest) >= comparison.replacing(term, *nearest)) {
-      changes.push_back({"the kept term `" + shortTextOf(kept_before, term) + "` is gone", all_after[0].node});
+      changes.push_back({"the kept term `" + shortTextOf(kept_before, term) + "` is gone", all_after[0].node, true});
       continue;
     }
     comparison.tell(term, *nearest, all_after[0].node, changes);

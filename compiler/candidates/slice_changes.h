@@ -19,6 +19,7 @@ namespace reprise {
 struct SliceChange {
   std::string text;    // "the constant 0.5 is now 0.6", "texture 'noise' is read in place of 'detail'", "there is an added `FAdd` of 0.1"
   int node = kNoNode;  // of the terms after: where to look
+  bool gone = false;   // nothing is left of a kept term
   bool operator==(const SliceChange&) const = default;
 };
 
