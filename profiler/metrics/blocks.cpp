@@ -43,7 +43,7 @@ std::vector<float> blocksOf(const MetricInputs& inputs) {
       if (static_cast<int>(pixel / width) + 1 < tile.bottom) pair(pixel, pixel + width);
     });
     if (unlike.pairs < kFewestPairs) continue;
-    const float excess = (unlike.rms() - like.rms()) * contrastOf(tile);
+    const float excess = (unlike.rms() - like.rms()) * tile.gain;
     values.push_back(excess < 0 ? 0 : excess > 1 ? 1 : excess);  // NaN stays NaN
   }
   return values;

@@ -3,7 +3,7 @@
 // e is the mean over channels of cached − original. Over the pairs of horizontal and vertical neighbours within a tile (tiles.h) that are
 // both covered:
 //
-//   blocks = max(0, rms of e(p) − e(q) where age(p) ≠ age(q)  −  rms of e(p) − e(q) where age(p) = age(q)) · gain^(1/2.4)
+//   blocks = max(0, rms of e(p) − e(q) where age(p) ≠ age(q)  −  rms of e(p) − e(q) where age(p) = age(q)) · gain
 //
 // The second term is what resampling and texture do to errors anywhere; the first is what the border of a refreshed block adds. Ages are
 // counted by the instrumented copy, so any pattern and any history is judged alike. A tile with fewer than 32 pairs of unlike age says

@@ -67,12 +67,12 @@ bool isFinite(const float* rgb) {
 
 using OpponentImage = std::array<Plane, 3>;
 
-constexpr std::array<float, 3> kExposures = {1, 2, 4};
+constexpr std::array<float, 5> kExposures = {1, std::numbers::sqrt2_v<float>, 2, 2 * std::numbers::sqrt2_v<float>, 4};
 
 Color exposed(const float* rgb, float exposure) {
   Color color{rgb[0], rgb[1], rgb[2]};
   if (exposure == 1) return color;
-  for (float& channel : color) channel = srgbFromLinear(std::min(1.0f, exposure * linearFromSrgb(channel)));
+  for (float& channel : color) channel = std::min(1.0f, exposure * channel);
   return color;
 }
 
@@ -247,7 +247,7 @@ double evaluate(const MetricInputs& inputs) {
 }
 
 // The exposure nearest to the gain, by ratio.
-std::size_t exposureOf(const Tile& tile) { return static_cast<std::size_t>(std::clamp(std::lround(std::log2(tile.gain)), 0L, 2L)); }
+std::size_t exposureOf(const Tile& tile) { return static_cast<std::size_t>(std::clamp(std::lround(2 * std::log2(tile.gain)), 0L, 4L)); }
 
 std::vector<float> tilesOfFlip(const MetricInputs& inputs) {
   checkInputs(inputs);

@@ -7,8 +7,8 @@
 // reach over the border of the mask: uncovered pixels count as the original has them, in both images.
 // Known to be wrong: blind to flicker; too strict where the viewer sits further away.
 //
-// tile_flip is the mean over the covered pixels of each tile (tiles.h), at the image as it is and, of dark tiles, at the exposure of 2 or 4 that
-// is nearest to the tile's gain; the larger counts.
+// tile_flip is the mean over the covered pixels of each tile (tiles.h), at the image as it is and, of dark tiles, at the exposure
+// of 1.4, 2, 2.8 or 4 that is nearest to the tile's gain; the larger counts.
 #pragma once
 
 #include <memory>

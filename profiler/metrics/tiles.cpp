@@ -16,7 +16,7 @@ float gainOf(const Tile& tile, const DisplayImage& original, const CoverageMask&
   float sum = 0;
   visitTile(tile, mask, [&](std::size_t pixel) {
     const float* rgb = &original.rgb[3 * pixel];
-    sum += kRed * rgb[0] * rgb[0] + kGreen * rgb[1] * rgb[1] + kBlue * rgb[2] * rgb[2];
+    sum += kRed * rgb[0] + kGreen * rgb[1] + kBlue * rgb[2];
   });
   const float mean = sum / static_cast<float>(tile.covered);
   return mean > 0 ? std::clamp(kMidGrey / mean, 1.0f, kMostGain) : kMostGain;
@@ -39,8 +39,6 @@ std::vector<Tile> tilesOf(const DisplayImage& original, const CoverageMask& mask
     }
   return well.empty() ? touched : well;
 }
-
-float contrastOf(const Tile& tile) { return std::pow(tile.gain, 1 / 2.4f); }
 
 double tailOf(std::vector<float> values) {
   if (values.empty()) return 0;

@@ -6,10 +6,11 @@
 //
 // The eye adapts to dark content: each tile is also judged at the exposure that brings its mean to mid-grey,
 //
-//   gain = clamp(0.18 / mean(Y), 1, 4),   Y = 0.2126 R² + 0.7152 G² + 0.0722 B² over its covered pixels of the original
+//   gain = clamp(0.18 / mean(Y), 1, 4),   Y = 0.2126 R + 0.7152 G + 0.0722 B over its covered pixels of the original
 //
-// (squares in place of the sRGB curve: a tenth of the light at most). A difference of encoded values grows with gain^(1/2.4), the exponent of
-// that curve. Wrong where exposure clips: highlights of a dark tile are judged as if they could go on.
+// of values as displayed, on which a scenario's exposure works, too; so differences grow with the gain itself. Content of a mean between 0.045 and
+// 0.18 is judged as if it had 0.18, darker content at four times what it is. Wrong where exposure clips: highlights of a dark tile are judged as
+// if they could go on.
 //
 // A session's value is the 99th percentile over the tiles of all its frames.
 #pragma once
@@ -33,9 +34,6 @@ struct Tile {
 
 // Those that count.
 std::vector<Tile> tilesOf(const DisplayImage& original, const CoverageMask& mask);
-
-// gain^(1/2.4): what a difference of encoded values is to be multiplied by.
-float contrastOf(const Tile& tile);
 
 // The 99th percentile of values in [0, 1]; 0 where there are none, NaN where any is.
 double tailOf(std::vector<float> values);

@@ -1,0 +1,123 @@
+// The levels of quality in scenes where blocks are easy to see: what each allows orders as it should, and does not depend on how dark the frame is.
+//
+// Of each scene the best candidate is played at every period in a validation session. The longest period that a level's thresholds allow is
+// what it allows. Pictures of it lie in tests/eye of the build folder, for a person to look at: original.png, and cached_i.png for the levels from
+// the strictest (a level that allows no period is left out).
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "cli/open_bench.h"
+#include "cli/probe_candidates.h"
+#include "cli/train.h"
+#include "profiler/metrics/quality.h"
+
+namespace reprise {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<std::uint32_t> kPeriods = {2, 4, 8, 16};
+
+class EyeScene {
+ public:
+  EyeScene(const std::string& scenario, const std::string& name)
+      : folder_(fs::path(REPRISE_EYE_PICTURES) / name), subject_(readSubject(std::string(REPRISE_SOURCE_DIR) + "/tests/eye/" + scenario).value()) {
+    fs::remove_all(folder_);
+    workspace_ = Workspace::open(folder_.string()).value();
+    EXPECT_TRUE(copyInputs(subject_, workspace_.scenarioFile()).ok());
+    std::erase_if(subject_.candidates, [](const Candidate& candidate) { return !candidate.kept(); });
+    subject_.candidates.resize(1);
+    bench_ = std::make_unique<Bench>(openBench(subject_, workspace_, {"", REPRISE_EXECUTABLE, {"tile_flip"}, {}}, chosenDevice("").value()).value());
+    bench_->measuring.store = &bench_->store;
+    for (const SessionSpec& session : subject_.scenario.sessions)
+      if (session.role == SessionRole::kValidation && session_.empty()) session_ = session.name;
+    Progress quiet(ProgressStyle::kQuiet);
+    const ProbedRanges probed = probeCandidates(subject_, workspace_, bench_->measuring, quiet).value();
+    VariantOptions options = baseOptions(subject_, probed.ranges.at(0), subject_.candidates[0]);
+    options.strategy = "two_pass";
+    options.instrumented = options.aged = true;
+    variant_ = storeVariant(workspace_, subject_.program, subject_.candidates[0], options, subject_.limits).value();
+    std::vector<SeriesRequest> requests;
+    for (const std::uint32_t period : kPeriods) requests.push_back({variant_.dir, variant_.hash, period});
+    series_ = measureErrors(bench_->measuring, session_, requests, 0).value();
+  }
+
+  // For a reader of a failure.
+  std::string table() const {
+    std::string text;
+    for (std::size_t i = 0; i < kPeriods.size(); ++i) {
+      text += "period " + std::to_string(kPeriods[i]) + ":";
+      for (const Threshold& threshold : qualities().front().binding.thresholds)
+        text += " " + threshold.metric + " " + std::to_string(sessionError(threshold.metric, {&series_[i].rows}, kPeriods[i]).value_or(-1));
+      text += "\n";
+    }
+    return text;
+  }
+
+  // 1 where it allows none.
+  std::uint32_t longestAllowed(const Quality& quality) const {
+    std::uint32_t longest = 1;
+    for (std::size_t i = 0; i < kPeriods.size(); ++i) {
+      const std::optional<double> share = sessionError(quality.binding, {&series_[i].rows}, kPeriods[i]);
+      EXPECT_TRUE(share.has_value());
+      if (share && *share <= 1) longest = std::max(longest, kPeriods[i]);
+    }
+    return longest;
+  }
+
+  void writePictures() const {
+    Job job;
+    job.kind = JobKind::kImages;
+    job.scenario_path = bench_->measuring.scenario_path;
+    job.session = session_;
+    job.original_dir = bench_->measuring.original_dir;
+    job.image_frame = 39;
+    job.image_dir = folder_.string();
+    for (const Quality& quality : qualities())
+      if (const std::uint32_t period = longestAllowed(quality); period > 1) job.entries.push_back({variant_.dir, period});
+    if (job.entries.empty()) return;
+    const Result<JobResult> made = superviseJob(job, bench_->measuring.supervisor, {});
+    EXPECT_TRUE(made.ok()) << (made.ok() ? "" : formatError(made.error()));
+  }
+
+ private:
+  fs::path folder_;
+  Subject subject_;
+  Workspace workspace_;
+  std::unique_ptr<Bench> bench_;
+  std::string session_;
+  StoredVariant variant_;
+  std::vector<ErrorSeries> series_;
+};
+
+class EyeLevels : public testing::TestWithParam<const char*> {};
+
+TEST_P(EyeLevels, StricterLevelsAllowShorterPeriods) {
+  const EyeScene scene(std::string(GetParam()) + "/scenario.toml", GetParam());
+  std::uint32_t last = 1;
+  for (const Quality& quality : qualities()) {
+    const std::uint32_t longest = scene.longestAllowed(quality);
+    EXPECT_GE(longest, last) << quality.name;
+    last = longest;
+    RecordProperty(quality.name, static_cast<int>(longest));
+  }
+  scene.writePictures();
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, EyeLevels, testing::Values("ball", "grey", "night"), [](const auto& scene) { return std::string(scene.param); });
+
+TEST(Eye, JudgesARockInAQuarterOfTheLightAsTheRock) {
+  const EyeScene rock("rock/scenario.toml", "rock"), quarter("rock/rock_quarter.toml", "rock_quarter");
+  std::uint32_t last = 1;
+  for (const Quality& quality : qualities()) {
+    EXPECT_EQ(rock.longestAllowed(quality), quarter.longestAllowed(quality)) << quality.name << "\n" << rock.table() << "\n" << quarter.table();
+    EXPECT_GE(rock.longestAllowed(quality), last) << quality.name;
+    last = rock.longestAllowed(quality);
+  }
+  rock.writePictures();
+  quarter.writePictures();
+}
+
+}  // namespace
+}  // namespace reprise
