@@ -24,9 +24,9 @@ Quality level(const std::string& name, int capped_at, const Measured& measured, 
 
 std::span<const Quality> qualities() {
   // Besides, at most 1% of the pixels may differ by more than 8/255 where the level promises that nobody sees it.
-  static const std::array<Quality, 3> table = {level("imperceptible", 4, {0.068, 0.0122, 0.0126, 0.0067}, {{"over8", 0.01}}),
-                                               level("good", 8, {0.086, 0.0194, 0.0204, 0.0110}, {}),
-                                               level("draft", 16, {0.102, 0.0285, 0.0291, 0.0179}, {})};
+  static const std::array<Quality, 3> table = {level("imperceptible", 4, {0.067, 0.0111, 0.0112, 0.0067}, {{"over8", 0.01}}),
+                                               level("good", 8, {0.085, 0.0175, 0.0184, 0.0102}, {}),
+                                               level("draft", 16, {0.100, 0.0267, 0.0272, 0.0168}, {})};
   return table;
 }
 
