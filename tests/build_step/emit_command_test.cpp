@@ -194,7 +194,7 @@ TEST_F(Emit, FindsTheCommittedMarblesPayload) {
 
 TEST_F(Emit, EqualsWhatOptimizeWrote) {
   const fs::path run = folder_ / "run";
-  const CommandOutcome optimized = runCommand({REPRISE_EXECUTABLE, "optimize", shaders() / "granite.toml", "--max-error", "0.03", "--budget", "5s",
+  const CommandOutcome optimized = runCommand({REPRISE_EXECUTABLE, "optimize", shaders() / "granite.toml", "--max-error", "0.03", "--budget", "60s",
                                                "-o", run, "--quiet"});
   ASSERT_EQ(optimized.status, 0) << optimized.all();
   const CommandOutcome emitted = runCommand({REPRISE_EXECUTABLE, "emit", shaders() / "granite.toml", "--choice", run / "choice.json", "-o", output()});
