@@ -47,14 +47,14 @@ float heightAt(vec3 p) {
   float amplitude = 0.5;
   for (int i = 0; i < 5; ++i) {
     height += amplitude * noise3(p);
-    p = p * 2.03 + vec3(5.7, -3.1, 9.2);
+    p = p * 1.8 + vec3(5.7, -3.1, 9.2);
     amplitude *= 0.5;
   }
   return height;
 }
 
 void main() {
-  vec3 p = 2.2 * object_position;
+  vec3 p = 1.6 * object_position;
   const float kStep = 0.04;
   float height = heightAt(p);
   vec3 slope = (vec3(heightAt(p + vec3(kStep, 0, 0)), heightAt(p + vec3(0, kStep, 0)), heightAt(p + vec3(0, 0, kStep))) - height) / kStep;
