@@ -53,7 +53,7 @@ void main() {
     p = 1.8 * p + vec3(17.3, -9.1, 4.7);
     amplitude *= 0.5;
   }
-  float vein = 0.5 + 0.5 * sin(4.0 * (object_position.x + 0.6 * object_position.y) + 3.0 * turbulence);
+  float vein = 0.5 + 0.5 * sin(4.0 * (object_position.x + 0.6 * object_position.y) + 2.0 * turbulence);
   vec3 albedo = mix(vec3(0.3, 0.24, 0.27), mix(vec3(0.62, 0.48, 0.38), vec3(0.85, 0.82, 0.76), vein), smoothstep(0.0, 0.7, vein));
 
   vec3 normal = normalize(world_normal);

@@ -68,7 +68,7 @@ void main() {
     float square = dot(offset, offset);
     vec3 to_lamp = offset * inversesqrt(square);
     // Lamps are hooded: nothing goes up, and little far aside.
-    vec3 light = warm * smoothstep(0.35, 0.9, to_lamp.y) * 9.0 / (0.3 + square);
+    vec3 light = warm * smoothstep(0.35, 0.9, to_lamp.y) * 10.0 / (1.0 + square);
     float facing = max(dot(normal, to_lamp), 0.0);
     diffuse += light * facing;
     gloss += light * facing * pow(max(dot(normal, normalize(to_lamp + to_camera)), 0.0), 90.0);

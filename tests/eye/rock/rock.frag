@@ -47,18 +47,18 @@ float heightAt(vec3 p) {
   float amplitude = 0.5;
   for (int i = 0; i < 5; ++i) {
     height += amplitude * noise3(p);
-    p = p * 2.03 + vec3(5.7, -3.1, 9.2);
+    p = p * 1.8 + vec3(5.7, -3.1, 9.2);
     amplitude *= 0.5;
   }
   return height;
 }
 
 void main() {
-  vec3 p = 2.2 * object_position;
+  vec3 p = 1.6 * object_position;
   const float kStep = 0.04;
   float height = heightAt(p);
   vec3 slope = (vec3(heightAt(p + vec3(kStep, 0, 0)), heightAt(p + vec3(0, kStep, 0)), heightAt(p + vec3(0, 0, kStep))) - height) / kStep;
-  vec3 albedo = mix(vec3(0.016, 0.015, 0.014), vec3(0.036, 0.03, 0.024), smoothstep(-0.3, 0.3, height));
+  vec3 albedo = mix(vec3(0.0115, 0.011, 0.01), vec3(0.026, 0.022, 0.0175), smoothstep(-0.3, 0.3, height));
 
   vec3 smooth_normal = normalize(world_normal);
   vec3 normal = normalize(smooth_normal - 0.5 * (slope - smooth_normal * dot(slope, smooth_normal)));
@@ -66,6 +66,6 @@ void main() {
   vec3 to_camera = normalize(scene.camera_position.xyz - world_position);
   float diffuse = max(dot(normal, to_light), 0.0);
   float gloss = diffuse > 0.0 ? pow(max(dot(normal, normalize(to_light + to_camera)), 0.0), 40.0) : 0.0;
-  vec3 light = albedo * (0.12 + 0.9 * diffuse) + 0.12 * gloss;
+  vec3 light = albedo * (0.12 + 0.9 * diffuse) + 0.09 * gloss;
   color = vec4(toSrgb(scene.exposure * light), 1.0);
 }
