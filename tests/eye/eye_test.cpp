@@ -107,13 +107,16 @@ TEST_P(EyeLevels, StricterLevelsAllowShorterPeriods) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, EyeLevels, testing::Values("ball", "grey", "night"), [](const auto& scene) { return std::string(scene.param); });
 
+// Tiles brighter than mid-grey are not adapted, so the highlights of the rock are judged a little stricter in full light: by a step of the period at
+// most. By rms alone the dark rock is allowed errors four times as large for its light.
 TEST(Eye, JudgesARockInAQuarterOfTheLightAsTheRock) {
   const EyeScene rock("rock/scenario.toml", "rock"), quarter("rock/rock_quarter.toml", "rock_quarter");
   std::uint32_t last = 1;
   for (const Quality& quality : qualities()) {
-    EXPECT_EQ(rock.longestAllowed(quality), quarter.longestAllowed(quality)) << quality.name << "\n" << rock.table() << "\n" << quarter.table();
-    EXPECT_GE(rock.longestAllowed(quality), last) << quality.name;
-    last = rock.longestAllowed(quality);
+    const std::uint32_t bright = rock.longestAllowed(quality), dark = quarter.longestAllowed(quality);
+    EXPECT_LE(std::max(bright, dark), 2 * std::min(bright, dark)) << quality.name << "\n" << rock.table() << "\n" << quarter.table();
+    EXPECT_GE(bright, last) << quality.name;
+    last = bright;
   }
   rock.writePictures();
   quarter.writePictures();
