@@ -177,9 +177,8 @@ Result<void> measureValidationTimes(const Subject& subject, const Workspace& wor
   return {};
 }
 
-Measuring byAllMetrics(Measuring measuring, Progress& progress) {
-  measuring.metrics.clear();  // finalists are judged by all, the costly ones too
-  for (const Metric& metric : metrics()) measuring.metrics.push_back(metric.name);
+Measuring byBindingMetrics(Measuring measuring, const ErrorLimits& limits, Progress& progress) {
+  measuring.metrics = limits.metrics();  // and all cheap ones: FLIP takes longer than the frames
   measuring.progress = [&progress](const JobProgress& state) { progress.update(state.done, state.total); };
   return measuring;
 }
@@ -198,12 +197,12 @@ Result<void> timeAndJudge(const Subject& subject, const Workspace& workspace, co
 Result<void> timeAgain(const Subject& subject, const Workspace& workspace, const Measuring& measuring, const ValidationPlan& plan,
                        Progress& progress, ValidationRun& run) {
   progress.begin(fmt::format("validate {} n={}, times", plan.options.strategy, plan.options.period_frames));
-  return timeAndJudge(subject, workspace, byAllMetrics(measuring, progress), plan, run);
+  return timeAndJudge(subject, workspace, byBindingMetrics(measuring, plan.limits, progress), plan, run);
 }
 
 Result<ValidationRun> validateChoice(const Subject& subject, const Workspace& workspace, const Measuring& measuring_given,
                                      const ValidationPlan& plan, Progress& progress) {
-  const Measuring measuring = byAllMetrics(measuring_given, progress);
+  const Measuring measuring = byBindingMetrics(measuring_given, plan.limits, progress);
   ValidationRun run;
   for (const SessionSpec& session : subject.scenario.sessions)
     if (session.role == SessionRole::kValidation) run.sessions.push_back({session.name, {}, {}, {}});

@@ -41,7 +41,7 @@ struct ValidationRun {
   double measured_error = 0;        // in the unit of the limits, as the next two; all sessions together
   double worst_session_error = 0;   // what the limits are held against
   double worst_frame_error = 0;
-  std::vector<MetricOutcome> metrics;  // all of the registry
+  std::vector<MetricOutcome> metrics;  // of the registry: the cheap ones, and those that bind
   double hit_rate = 0;              // of covered pixels, settled frames
   PairedRatio binding, wall;        // against the faster of the original and the original with a prepass
   std::string reference;            // which that was: "original" or "original_prepass"

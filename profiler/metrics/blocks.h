@@ -7,7 +7,8 @@
 //
 // The second term is what resampling and texture do to errors anywhere; the first is what the border of a refreshed block adds. Ages are
 // counted by the instrumented copy, so any pattern and any history is judged alike. A tile with fewer than 32 pairs of unlike age says
-// nothing, nor does a variant that counts no ages. Known to be wrong: where texture hides the step, it counts all the same.
+// nothing, nor does a variant that counts no ages. Known to be wrong: where texture hides the step, it counts all the same, and on a
+// flat surface seams of one or two pixels are seen that are below the level good.
 #pragma once
 
 #include "profiler/metrics/metrics.h"

@@ -158,6 +158,15 @@ TEST(SuperviseJob, StopsWhenInterrupted) {
   EXPECT_FALSE(childOf(getpid()).has_value());
 }
 
+TEST(SuperviseJob, StopsWhenItsTimeIsOver) {
+  ScriptedWorker worker("exec sleep 600");
+  worker.options().expired = [] { return true; };
+  const Error stopped = worker.failure();
+  EXPECT_EQ(stopped.kind, ErrorKind::kInterrupted);
+  EXPECT_EQ(stopped.code, kBudgetEnded);
+  EXPECT_FALSE(childOf(getpid()).has_value());
+}
+
 TEST(SuperviseJob, SaysThatThereIsNoWorker) {
   SupervisorOptions options;
   options.worker_path = "/nonexistent/worker";
