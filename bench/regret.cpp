@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/probe_ranges.h"
-#include "cli/pipeline.h"
+#include "cli/describe_run.h"
 #include "cli/train.h"
 #include "fitting/solve/paired_ratio.h"
 #include "runtime/base/file.h"

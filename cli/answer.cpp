@@ -12,10 +12,6 @@ namespace {
 
 std::string nameOf(const RunCandidate& candidate) { return candidate.name.empty() ? candidate.id : candidate.name; }
 
-std::string everyText(std::uint32_t period_frames) {
-  return period_frames == 0 ? "never refreshed" : fmt::format("refreshed every {} frames", period_frames);
-}
-
 std::string intervalText(double ratio, const std::optional<RunInterval>& ci) {
   return ci ? fmt::format("{} times as fast (95% interval {} to {})", formatNumber(ratio), formatNumber(ci->lo), formatNumber(ci->hi))
             : fmt::format("{} times as fast", formatNumber(ratio));
@@ -35,15 +31,16 @@ std::optional<std::string> fastestVariant(const RunResult& run) {
   for (const RunAttempt& attempt : run.attempts)
     if (attempt.measured_speedup && (best == nullptr || *attempt.measured_speedup > *best->measured_speedup)) best = &attempt;
   if (best != nullptr)
-    return fmt::format("the fastest that was validated, {} ({}, {}), is {}", best->candidate_id, best->configuration, everyText(best->period_frames),
+    return fmt::format("the fastest that was validated, {} ({}, {}), is {}", best->candidate_id, best->configuration, refreshText(best->period_frames),
                        intervalText(*best->measured_speedup, best->speedup_ci95));
   double fastest = 0;
   std::optional<std::string> text;
   visitPoints(run, [&](const RunCandidate& candidate, const RunConfiguration& configuration, const RunPoint& point) {
-    if (!point.measured_speedup || *point.measured_speedup <= fastest || !(point.measured_error.value_or(2) <= run.threshold.value)) return;
+    const bool keeps = point.measured_error && *point.measured_error <= run.threshold.value;
+    if (!keeps || !point.measured_speedup || *point.measured_speedup <= fastest) return;
     fastest = *point.measured_speedup;
     text = fmt::format("the fastest that was measured within the thresholds, '{}' ({}, {}), is {}", nameOf(candidate), configuration.strategy,
-                       everyText(point.period_frames), intervalText(fastest, point.speedup_ci95));
+                       refreshText(point.period_frames), intervalText(fastest, point.speedup_ci95));
   });
   return text;
 }
@@ -56,15 +53,10 @@ std::optional<std::string> leastError(const RunResult& run) {
     if (!error || (least && *error >= *least)) return;
     least = error;
     text = fmt::format("no trained value keeps {}: the least error is {}, of '{}' {}", thresholdsText(run), errorText(run, *error), nameOf(candidate),
-                       everyText(point.period_frames));
+                       refreshText(point.period_frames));
   });
   if (!least || *least <= run.threshold.value) return std::nullopt;
   return text;
-}
-
-bool allUnmeasured(const RunResult& run) {
-  return !run.attempts.empty() && std::all_of(run.attempts.begin(), run.attempts.end(),
-                                              [](const RunAttempt& attempt) { return !attempt.measured_error; });
 }
 
 bool hasKeptCandidates(const RunResult& run) {
@@ -81,7 +73,7 @@ std::string whatIsMissing(const RunResult& run, const Measured& measured) {
     return "the budget ended before " + first + (others > 0 ? fmt::format(" and {} more", others) : "") +
            "; the same command with a larger --budget goes on from here, and measures nothing twice";
   }
-  if (allUnmeasured(run)) return "no variant could be measured in validation: " + run.attempts.back().reason;
+  if (measured.none_validated) return "no variant could be measured in validation: " + run.attempts.back().reason;
   if (measured.more_to_validate)
     return fmt::format("{} variants failed in validation, and others that may do were not tried; the last one: {}", run.attempts.size(), run.attempts.back().reason);
   if (!run.attempts.empty()) return "";

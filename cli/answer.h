@@ -11,6 +11,7 @@ namespace reprise {
 struct Measured {
   const Selection& selection;
   bool budget_ended = false;     // before all that was planned was measured
+  bool none_validated = false;   // there were attempts, and none could be measured
   bool more_to_validate = false; // variants that were predicted to do, and were not tried
 };
 

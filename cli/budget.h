@@ -15,7 +15,6 @@ class Budget {
   Budget(double seconds, const Progress& progress) : seconds_(seconds), progress_(progress), begun_s_(progress.elapsedSeconds()) {}
 
   bool isSpent(double share) const { return seconds_ > 0 && progress_.elapsedSeconds() - begun_s_ >= share * seconds_; }
-  double seconds() const { return seconds_; }
 
  private:
   double seconds_;

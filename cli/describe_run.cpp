@@ -259,6 +259,13 @@ RunAttempt describeAttempt(const FittedTraining& fitted, const ValidationAttempt
   return described;
 }
 
+ErrorLimits limitsOf(const RunResult& result) {
+  ErrorLimits limits;
+  for (const RunThreshold& threshold : result.thresholds) limits.thresholds.push_back({threshold.metric, threshold.value});
+  if (limits.thresholds.empty()) limits.thresholds.push_back({result.threshold.metric, result.threshold.value});
+  return limits;
+}
+
 std::vector<RunMetric> describeMetrics(const ValidationRun& run) {
   std::vector<RunMetric> described;
   for (const MetricOutcome& outcome : run.metrics) described.push_back({outcome.metric, outcome.all_sessions, outcome.worst_session, outcome.worst_frame});

@@ -34,7 +34,10 @@ RunAttempt describeAttempt(const FittedTraining& fitted, const ValidationAttempt
 void describeAccepted(const Subject& subject, const Training& training, const FittedTraining& fitted, const ValidationAttempt& attempt,
                       RunResult& result);
 
-// All metrics over the validation, side by side.
+// What bound a run; of one by an earlier version, its only threshold.
+ErrorLimits limitsOf(const RunResult& result);
+
+// The metrics over the validation, side by side.
 std::vector<RunMetric> describeMetrics(const ValidationRun& run);
 
 std::vector<RunSession> describeSessions(const ValidationRun& run, const ErrorLimits& limits);

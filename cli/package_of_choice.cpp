@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "cli/describe_run.h"
 #include "cli/motion.h"
 #include "cli/train.h"
 #include "cli/version.h"
@@ -84,7 +85,7 @@ Choice describeChoice(const Subject& subject, const ChosenVariant* variant, cons
   choice.scenario_hash = subject.scenario.hash;
   choice.shader_hash = shaderHash(subject);
   choice.quality = result.quality;
-  for (const RunThreshold& threshold : result.thresholds) choice.limits.thresholds.push_back({threshold.metric, threshold.value});
+  choice.limits = limitsOf(result);
   choice.least_gain = result.least_gain;
   choice.device = {result.device.name, result.device.driver, result.clock};
   if (variant == nullptr) return choice;

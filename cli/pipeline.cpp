@@ -54,6 +54,7 @@ class StageClock {
 };
 
 Result<void> checkArguments(const OptimizeArguments& arguments) {
+  REPRISE_CHECK(!arguments.demand.binding.thresholds.empty(), "nothing binds: make the demand with demandOf");
   if (!(arguments.least_gain >= 1) || !std::isfinite(arguments.least_gain))
     return Error{ErrorKind::kUsage, "gain.value", fmt::format("--min-gain is {}; it must be a number of at least 1, such as 1.05", arguments.least_gain), {}};
   return {};
@@ -103,6 +104,10 @@ struct Validated {
   bool budget_ended = false;            // before the next attempt was judged
   bool more_to_try = false;             // where kMostAttempts were made
 
+  // A variant that a law rules out has been measured.
+  bool noneMeasured() const {
+    return !attempts.empty() && std::all_of(attempts.begin(), attempts.end(), [](const ValidationAttempt& one) { return one.run.judgement.code == "judge.unmeasured"; });
+  }
   const ValidationAttempt& chosen() const { return attempts[accepted.value()]; }
   const ValidationAttempt& shown() const { return accepted ? chosen() : attempts.back(); }
 };
@@ -206,7 +211,7 @@ void describeOriginal(const Training& training, const Selection& selection, cons
     if (std::isfinite(run.original_ms)) result.original = {known(run.original_ms), known(run.original_wall_ms), known(run.prepass_ms)};
   }
   if (validated.accepted) return;
-  const Answer answer = answerWithoutVariant(result, {selection, training.budget_ended || validated.budget_ended, validated.more_to_try});
+  const Answer answer = answerWithoutVariant(result, {selection, training.budget_ended || validated.budget_ended, validated.noneMeasured(), validated.more_to_try});
   result.choice.kind = answer.kind;
   result.choice.reason = answer.reason;
 }
@@ -230,13 +235,6 @@ Result<Subject> subjectOf(const OptimizeArguments& arguments) {
 }
 
 }  // namespace
-
-ErrorLimits limitsOf(const RunResult& result) {
-  ErrorLimits limits;
-  for (const RunThreshold& threshold : result.thresholds) limits.thresholds.push_back({threshold.metric, threshold.value});
-  if (limits.thresholds.empty()) limits.thresholds.push_back({result.threshold.metric, result.threshold.value});
-  return limits;
-}
 
 Result<RunResult> optimize(const OptimizeArguments& arguments, Progress& progress) {
   REPRISE_TRY(checkArguments(arguments));

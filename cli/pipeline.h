@@ -27,9 +27,6 @@ struct OptimizeArguments {
 // Writes DIR/package, DIR/scenario, DIR/result.json and DIR/report.html; returns what result.json holds. Errors: of the stages.
 Result<RunResult> optimize(const OptimizeArguments& arguments, Progress& progress);
 
-// What bound a run; of one by an earlier version, its only threshold.
-ErrorLimits limitsOf(const RunResult& result);
-
 // Measures DIR's choice again on this device; the result is that of the run with choice, original and validation renewed. Does not
 // write. Errors: result.*, package.*, and of the stages.
 Result<RunResult> validateAgain(const std::string& directory, const OptimizeArguments& arguments, Progress& progress);

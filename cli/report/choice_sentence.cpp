@@ -1,5 +1,4 @@
 #include "cli/report/text.h"
-#include "runtime/package/recipe.h"
 
 namespace reprise {
 namespace {
@@ -16,9 +15,7 @@ std::string payloadNames(const RunChoice& choice) {
 std::string variantSentence(const RunResult& result) {
   const RunChoice& choice = result.choice;
   std::string text = "Caching " + payloadNames(choice) + " (" + printable(choice.strategy) + ", ";
-  text += choice.period_frames == kNeverRefresh
-              ? "never refreshed"
-              : "refreshed every " + formatPeriod(choice.period_frames) + " frames";
+  text += refreshText(choice.period_frames);
   text += ")";
   if (choice.measured_speedup) {
     text += " makes the shader " + formatNumber(*choice.measured_speedup) + " times as fast";

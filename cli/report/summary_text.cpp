@@ -80,7 +80,7 @@ std::string errorFact(const RunResult& result) {
 
 void metricTable(std::string& out, const RunResult& result) {
   if (result.metrics.empty()) return;
-  out += "\nAll metrics in validation" + std::string(result.choice.kind == ChoiceKind::kVariant ? "" : ", of the last variant") + "\n";
+  out += "\nMetrics in validation" + std::string(result.choice.kind == ChoiceKind::kVariant ? "" : ", of the last variant") + "\n";
   const auto row = [&](const std::string& name, const std::string& all, const std::string& session, const std::string& frame) {
     out += "  " + padded(name, 14) + " " + padded(all, 12) + " " + padded(session, 14) + " " + frame + "\n";
   };

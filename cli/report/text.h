@@ -38,6 +38,8 @@ std::string formatGiven(double value);
 std::string errorText(const RunResult& result, double error);
 // What binds: "rms 0.02", "quality good (tile_flip 0.05, blocks 0.01)".
 std::string thresholdsText(const RunResult& result);
+// "refreshed every 16 frames", or "never refreshed".
+std::string refreshText(std::uint32_t period_frames);
 // "16", or "never" for kNeverRefresh.
 std::string formatPeriod(std::uint32_t period_frames);
 // The text with every control character (C0, C1, DEL) and every byte that is not UTF-8 replaced by '?', and

@@ -75,6 +75,10 @@ std::string thresholdsText(const RunResult& result) {
   return result.quality.empty() ? list : "quality " + result.quality + " (" + list + ")";
 }
 
+std::string refreshText(std::uint32_t period_frames) {
+  return period_frames == kNeverRefresh ? "never refreshed" : "refreshed every " + formatPeriod(period_frames) + " frames";
+}
+
 std::string formatPeriod(std::uint32_t period_frames) {
   return period_frames == kNeverRefresh ? "never" : std::to_string(period_frames);
 }

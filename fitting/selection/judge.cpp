@@ -44,8 +44,6 @@ bool isMeasured(const PairedRatio& ratio) {
 
 }  // namespace
 
-bool straddles(const Judgement& judgement) { return judgement.code.ends_with("straddles"); }
-
 Judgement judgeErrors(const ValidationResult& result) {
   if (!areMeasured(result.errors)) return {false, "judge.unmeasured", "validation gave no usable error"};
   if (result.nonfinite_pixels > 0) {

@@ -41,9 +41,6 @@ Judgement judge(const ValidationResult& result, double least_gain = kLeastGain);
 // Of the errors and pixels alone, before anything is timed: why not accepted; an empty code where they keep the thresholds.
 Judgement judgeErrors(const ValidationResult& result);
 
-// Whether more pairs may make another judgement of it.
-bool straddles(const Judgement& judgement);
-
 // Whether to validate one more after a variant was accepted: it reached less than kPromiseKept of the speed-up that was predicted of
 // it, and of the next more is predicted than it reached.
 inline constexpr double kPromiseKept = 0.9;

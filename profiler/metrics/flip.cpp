@@ -254,7 +254,7 @@ std::vector<float> tilesOfFlip(const MetricInputs& inputs) {
   if (!allFinite(inputs)) return {std::numeric_limits<float>::quiet_NaN()};
   FlipPair pair(inputs);
   std::vector<float> values;
-  for (const Tile& tile : tilesOf(*inputs.original, *inputs.mask)) {
+  for (const Tile& tile : tilesOf(inputs)) {
     float largest = 0;
     for (const std::size_t exposure : std::set<std::size_t>{0, exposureOf(tile)}) {
       float sum = 0;

@@ -21,6 +21,7 @@
 namespace reprise {
 
 class FlipOriginal;
+struct Tile;
 
 // All images and the mask must have the same extent (checked).
 struct MetricInputs {
@@ -31,6 +32,7 @@ struct MetricInputs {
   const CoverageMask* mask = nullptr;
   const std::vector<std::uint8_t>* ages = nullptr;  // by pixel: frames since its payload was computed; null where the variant does not count
   const FlipOriginal* flip_original = nullptr;      // of `original`, for all variants of the frame; null: made where it is needed
+  const std::vector<Tile>* tiles = nullptr;         // of `original` and `mask`, for all metrics (tiles.h); null: made where they are needed
 };
 
 enum class SessionCombination {

@@ -24,9 +24,9 @@ Quality level(const std::string& name, int capped_at, const Measured& measured, 
 
 std::span<const Quality> qualities() {
   // Besides, at most 1% of the pixels may differ by more than 8/255 where the level promises that nobody sees it.
-  static const std::array<Quality, 3> table = {level("imperceptible", 4, {0.067, 0.0111, 0.0112, 0.0067}, {{"over8", 0.01}}),
-                                               level("good", 8, {0.085, 0.0175, 0.0184, 0.0102}, {}),
-                                               level("draft", 16, {0.100, 0.0267, 0.0272, 0.0168}, {})};
+  static const std::array<Quality, 3> table = {level("imperceptible", 4, {0.067, 0.0111, 0.0112, 0.0012}, {{"over8", 0.01}}),
+                                               level("good", 8, {0.085, 0.0175, 0.0184, 0.0025}, {}),
+                                               level("draft", 16, {0.100, 0.0267, 0.0272, 0.0048}, {})};
   return table;
 }
 

@@ -13,10 +13,8 @@ namespace {
 template <typename Square>
 std::vector<float> rootMeans(const MetricInputs& inputs, Square square) {
   std::vector<float> values;
-  for (const Tile& tile : tilesOf(*inputs.original, *inputs.mask)) {
-    float sum = 0;
-    visitTile(tile, *inputs.mask, [&](std::size_t pixel) { sum += square(3 * pixel) + square(3 * pixel + 1) + square(3 * pixel + 2); });
-    const float root = std::sqrt(sum / (3 * static_cast<float>(tile.covered))) * tile.gain;
+  for (const Tile& tile : tilesOf(inputs)) {
+    const float root = std::sqrt(sumOver(tile, *inputs.mask, square) / (3 * static_cast<float>(tile.covered))) * tile.gain;
     values.push_back(root > 1 ? 1 : root);  // NaN stays NaN
   }
   return values;

@@ -12,12 +12,17 @@ constexpr float kRed = 0.2126f, kGreen = 0.7152f, kBlue = 0.0722f;
 
 int tilesAlong(int pixels) { return std::max(1, (pixels + kMetricTilePixels / 2) / kMetricTilePixels); }
 
-float gainOf(const Tile& tile, const DisplayImage& original, const CoverageMask& mask) {
-  float sum = 0;
+float luminanceOver(const Tile& tile, const DisplayImage& original, const CoverageMask& mask) {
+  float red = 0, green = 0, blue = 0;
   visitTile(tile, mask, [&](std::size_t pixel) {
     const float* rgb = &original.rgb[3 * pixel];
-    sum += kRed * rgb[0] + kGreen * rgb[1] + kBlue * rgb[2];
+    red += rgb[0], green += rgb[1], blue += rgb[2];
   });
+  return kRed * red + kGreen * green + kBlue * blue;
+}
+
+float gainOf(const Tile& tile, const DisplayImage& original, const CoverageMask& mask) {
+  const float sum = luminanceOver(tile, original, mask);
   const float mean = sum / static_cast<float>(tile.covered);
   return mean > 0 ? std::clamp(kMidGrey / mean, 1.0f, kMostGain) : kMostGain;
 }
@@ -30,7 +35,10 @@ std::vector<Tile> tilesOf(const DisplayImage& original, const CoverageMask& mask
   for (int row = 0; row < down; ++row)
     for (int column = 0; column < across; ++column) {
       Tile tile{column * mask.width / across, row * mask.height / down, (column + 1) * mask.width / across, (row + 1) * mask.height / down, 0, 1};
-      visitTile(tile, mask, [&](std::size_t) { ++tile.covered; });
+      for (int y = tile.top; y < tile.bottom; ++y) {
+        const std::uint8_t* kinds = &mask.kind[static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.width)];
+        tile.covered += static_cast<std::size_t>(std::count_if(kinds + tile.left, kinds + tile.right, [](std::uint8_t kind) { return kind != 0; }));
+      }
       if (tile.covered == 0) continue;
       tile.gain = gainOf(tile, original, mask);
       touched.push_back(tile);
@@ -39,6 +47,8 @@ std::vector<Tile> tilesOf(const DisplayImage& original, const CoverageMask& mask
     }
   return well.empty() ? touched : well;
 }
+
+std::vector<Tile> tilesOf(const MetricInputs& inputs) { return inputs.tiles != nullptr ? *inputs.tiles : tilesOf(*inputs.original, *inputs.mask); }
 
 double tailOf(std::vector<float> values) {
   if (values.empty()) return 0;

@@ -34,12 +34,18 @@ struct Tile {
 
 // Those that count.
 std::vector<Tile> tilesOf(const DisplayImage& original, const CoverageMask& mask);
+std::vector<Tile> tilesOf(const MetricInputs& inputs);
 
 // The 99th percentile of values in [0, 1]; 0 where there are none, NaN where any is.
 double tailOf(std::vector<float> values);
 
 // Values of tiles as rows keep them: in units of 1/65535, rounded; NaN as 0 (the frame's own value tells of it).
 std::vector<std::uint16_t> keptTiles(std::span<const float> values);
+
+// Sum of square(i) over the components i, three a pixel, of the tile's covered pixels. A fully covered tile is added up in independent sums, so
+// that the compiler can vectorize.
+template <typename Square>
+float sumOver(const Tile& tile, const CoverageMask& mask, Square square);
 
 // Per covered pixel of the tile: visit(index of the pixel).
 template <typename Visit>
@@ -49,6 +55,27 @@ void visitTile(const Tile& tile, const CoverageMask& mask, Visit visit) {
       const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.width) + static_cast<std::size_t>(x);
       if (mask.kind[pixel] != 0) visit(pixel);
     }
+}
+
+template <typename Square>
+float sumOver(const Tile& tile, const CoverageMask& mask, Square square) {
+  constexpr std::size_t kLanes = 16;
+  float lanes[kLanes] = {};
+  const auto width = static_cast<std::size_t>(mask.width), columns = static_cast<std::size_t>(tile.right - tile.left);
+  if (tile.covered != columns * static_cast<std::size_t>(tile.bottom - tile.top)) {
+    visitTile(tile, mask, [&](std::size_t pixel) { lanes[0] += square(3 * pixel) + square(3 * pixel + 1) + square(3 * pixel + 2); });
+    return lanes[0];
+  }
+  for (int y = tile.top; y < tile.bottom; ++y) {
+    std::size_t i = 3 * (static_cast<std::size_t>(y) * width + static_cast<std::size_t>(tile.left));
+    const std::size_t end = i + 3 * columns;
+    for (; i + kLanes <= end; i += kLanes)
+      for (std::size_t lane = 0; lane < kLanes; ++lane) lanes[lane] += square(i + lane);
+    for (; i < end; ++i) lanes[0] += square(i);
+  }
+  float sum = 0;
+  for (const float lane : lanes) sum += lane;
+  return sum;
 }
 
 }  // namespace reprise

@@ -197,6 +197,8 @@ class ErrorRun {
       mask_.kind[pixel] = 0;
     }
     if (row.covered == row.nonfinite) return;
+    tiles_.clear();
+    for (const DisplayImage& original : original_.current) tiles_.push_back(tilesOf(original, mask_));
     // The device waits for this, on CPU devices with all its threads.
     std::vector<std::future<Judged>> judged;
     for (const Metric* metric : metrics_) judged.push_back(std::async(std::launch::async, [this, metric] { return worstOf(*metric); }));
@@ -218,7 +220,7 @@ class ErrorRun {
     for (std::size_t i = 0; i < cached_.current.size(); ++i) {
       const MetricInputs inputs{.original = &original_.current[i], .cached = &cached_.current[i], .last_original = lastOf(original_, i),
                                 .last_cached = lastOf(cached_, i), .mask = &mask_, .ages = ages_.empty() ? nullptr : &ages_,
-                                .flip_original = &flip_originals_[i]};
+                                .flip_original = &flip_originals_[i], .tiles = &tiles_[i]};
       const std::vector<float> tiles = metric.tiles ? metric.tiles(inputs) : std::vector<float>{};
       const double value = metric.tiles ? tailOf(tiles) : metric.evaluate(inputs);
       if (!(value <= worst.value)) worst.value = value;  // keeps a NaN, too
@@ -237,6 +239,7 @@ class ErrorRun {
   std::vector<const Metric*> metrics_;
   Rendered original_, cached_;
   std::deque<FlipOriginal> flip_originals_;  // of the frame, by output
+  std::vector<std::vector<Tile>> tiles_;     // of the frame and the entry's mask, by output
   CoverageMask mask_;
   std::vector<std::uint8_t> ages_, depth_mask_;
   JobProgress progress_;

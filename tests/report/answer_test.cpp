@@ -85,14 +85,21 @@ TEST(Answer, NamesTheFastestThatTrainingTimedWhereNoneWentToValidation) {
 TEST(Answer, IsUndecidedWhereVariantsWereLeftUntried) {
   RunResult run = runWithErrors({0.01});
   run.attempts = {failedAttempt("measured rms 0.03 exceeds 0.02")};
-  EXPECT_EQ(answerWithoutVariant(run, {kNothingSelected, false, true}).kind, ChoiceKind::kUndecided);
+  EXPECT_EQ(answerWithoutVariant(run, {kNothingSelected, false, false, true}).kind, ChoiceKind::kUndecided);
+}
+
+// It differs from the original, which says enough.
+TEST(Answer, IsTheOriginalWhereALawRulesTheVariantsOut) {
+  RunResult run = runWithErrors({0.01});
+  run.attempts = {failedAttempt("law.exact_setting: frame 3, pixel (1, 2)")};
+  run.attempts[0].measured_error.reset();
+  EXPECT_EQ(answerWithoutVariant(run, {kNothingSelected}).kind, ChoiceKind::kOriginal);
 }
 
 TEST(Answer, IsUndecidedWhereNothingCouldBeMeasured) {
   RunResult run = runWithErrors({0.01});
   run.attempts = {failedAttempt("the variant could not be played: it crashed")};
-  run.attempts[0].measured_error.reset();
-  EXPECT_EQ(answerWithoutVariant(run, {kNothingSelected}).kind, ChoiceKind::kUndecided);
+  EXPECT_EQ(answerWithoutVariant(run, {kNothingSelected, false, true}).kind, ChoiceKind::kUndecided);
   run.attempts.clear();
   run.candidates[0].status = CandidateStatus::kFailed;
   EXPECT_EQ(answerWithoutVariant(run, {kNothingSelected}).kind, ChoiceKind::kUndecided);
